@@ -47,7 +47,7 @@ def points_of(kind):
 
 
 def grid_of(data, array):
-    return vtktetmarch.volume(data, array).GetMapper().GetInput()
+    return vtktetmarch.volume(data, array).GetMapper().GetDataObjectInput()
 
 
 class MeshioTest(unittest.TestCase):

@@ -126,6 +126,21 @@ class ReadTest(unittest.TestCase):
                 self.assertEqual(found.GetNumberOfPoints(), data.GetNumberOfPoints())
                 self.assertGreater(vtktetmarch.screenshot(found, size=(60, 50)).max(), 40)
 
+    def test_adaptive_meshes(self):
+        blocks, trees = vtk.vtkAMRGaussianPulseSource(), vtk.vtkRandomHyperTreeGridSource()
+        blocks.SetDimension(3)
+        trees.SetDimensions(3, 3, 3)
+        for source, writer, name in ((blocks, vtk.vtkXMLUniformGridAMRWriter(), "a.vth"),
+                                     (trees, vtk.vtkXMLHyperTreeGridWriter(), "a.htg")):
+            with self.subTest(name=name):
+                source.Update()
+                found = vtktetmarch.read(self.write(writer, name, source.GetOutputDataObject(0)))
+                self.assertIs(type(found), type(source.GetOutputDataObject(0)))
+                if name == "a.vth":
+                    self.assertEqual(found.GetNumberOfLevels(), 2)
+                    self.assertEqual(found.GetTotalNumberOfBlocks(), 3)
+                self.assertGreater(vtktetmarch.screenshot(found, size=(60, 50)).max(), 40)
+
     def test_all_arrays_of_a_legacy_file(self):
         grid = first_data.one_tetrahedron()
         for name in ("second", "third"):

@@ -117,9 +117,14 @@ class MapperTest(unittest.TestCase):
             points.InsertNextPoint(i & 1, i >> 1 & 1, i >> 2)
         curvilinear.SetPoints(points)
         first_data.with_points(curvilinear, "x", lambda p: p[0])
+        adaptive = vtk.vtkAMRGaussianPulseSource()
+        adaptive.SetDimension(3)
+        adaptive.Update()
+        trees = vtk.vtkRandomHyperTreeGridSource()
+        trees.SetDimensions(3, 3, 3)
         smart, tets = vtktetmarch.vtkTetMarchSmartVolumeMapper, vtktetmarch.vtkTetMarchVolumeMapper
         for data, expected in ((first_data.one_tetrahedron(), tets), (first_data.blocks(), tets), (mixed, tets),
-                               (curvilinear, tets), (MESH, tets), (IMAGE, smart), (structured, smart),
+                               (curvilinear, tets), (adaptive.GetOutput(), tets), (trees, tets), (MESH, tets), (IMAGE, smart), (structured, smart),
                                (first_data.rectilinear(), smart), (first_data.integers_with_air(), smart)):
             with self.subTest(data=type(data).__name__):
                 self.assertIs(type(vtktetmarch.volume(data).GetMapper()), expected)

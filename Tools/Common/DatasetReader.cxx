@@ -19,6 +19,7 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTetMarchFirstPicture.h"
 
 #include <algorithm>
@@ -240,7 +241,9 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
     return volume;
   }
   vtkSmartPointer<vtkDataSet> whole = blocks[0].Data;
-  if (!volume.Structured)
+  const bool isCurvilinear =
+    blocks.size() == 1 && !contents.OfPieces && vtkStructuredGrid::SafeDownCast(whole);
+  if (!volume.Structured && !isCurvilinear)
   {
     whole = MakeGrid(blocks, contents.OfPieces, wanted, report);
   }

@@ -27,8 +27,8 @@ struct WantedArray
 
 struct VolumeData
 {
-  /// Of the mapper: an unstructured grid, an image, a rectilinear grid, or a tree of the latter
-  /// two.
+  /// Of the mapper: an unstructured or curvilinear grid, an image, a rectilinear grid, or a tree of
+  /// the latter two.
   vtkSmartPointer<vtkDataObject> Input;
   /// The blocks of the tree, or the only one.
   std::vector<vtkDataSet*> Blocks;

@@ -93,7 +93,8 @@ std::string WriteData(const DataState& data, bool structured)
   text += "reader.Update()\ndata = reader.GetOutputDataObject(0)\n";
   if (!structured)
   {
-    text += "if not isinstance(data, (vtk.vtkUnstructuredGrid, vtk.vtkCompositeDataSet)):\n"
+    text += "if not isinstance(data, (vtk.vtkUnstructuredGrid, vtk.vtkStructuredGrid, "
+            "vtk.vtkCompositeDataSet)):\n"
             "    tree = vtk.vtkMultiBlockDataSet()\n"
             "    tree.SetBlock(0, data)\n"
             "    data = tree\n";

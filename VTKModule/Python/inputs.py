@@ -5,13 +5,12 @@ import os
 
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkExplicitStructuredGrid,
-                                           vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
-                                           vtkUnstructuredGrid)
+                                           vtkHyperTreeGrid, vtkImageData, vtkNonOverlappingAMR, vtkOverlappingAMR,
+                                           vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from .foreign import foreign_data
-from .hexahedra import as_hexahedra, dimensions_of
 from .readers import read
 from .vtkRenderingTetMarch import vtkTetMarchFirstPicture
 
@@ -38,12 +37,26 @@ def joined(blocks):
     return append.GetOutput()
 
 
-def unstructured(data):
-    """The same cells as a vtkUnstructuredGrid."""
+def dimensions_of(grid):
+    """The numbers of points along the dimensions of a vtkStructuredGrid, in every version of VTK."""
+    found = [0, 0, 0]
+    grid.GetDimensions(found)
+    return found
+
+
+def curvilinear(data):
+    """The grid itself, or its cells as a vtkUnstructuredGrid."""
     check_faults(data)
-    if isinstance(data, vtkStructuredGrid) and min(dimensions_of(data)) > 1:
-        return as_hexahedra(data)
-    return joined([data])
+    return data if isinstance(data, vtkStructuredGrid) and min(dimensions_of(data)) > 1 else joined([data])
+
+
+def leaves_of(tree):
+    """The leaves of a vtkHyperTreeGrid, but masked ones, as a vtkUnstructuredGrid."""
+    from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
+    leaves = vtkHyperTreeGridToUnstructuredGrid()
+    leaves.SetInputData(tree)
+    leaves.Update()
+    return leaves.GetOutput()
 
 
 def blocks_of(tree):
@@ -58,7 +71,9 @@ def blocks_of(tree):
 
 
 def is_structured(data):
-    """Whether the data consist of images and rectilinear grids only."""
+    """Whether the data consist of images and rectilinear grids only, and none is within another."""
+    if isinstance(data, (vtkOverlappingAMR, vtkNonOverlappingAMR)):
+        return False
     if isinstance(data, vtkCompositeDataSet):
         return all(isinstance(block, LATTICES) for block in blocks_of(data))
     return isinstance(data, LATTICES)
@@ -88,7 +103,9 @@ def drawn_data(data):
     if isinstance(data, (vtkUnstructuredGrid, *LATTICES)):
         return data
     if isinstance(data, (vtkStructuredGrid, vtkExplicitStructuredGrid)):
-        return unstructured(data)
+        return curvilinear(data)
+    if isinstance(data, vtkHyperTreeGrid):
+        return leaves_of(data)
     if isinstance(data, vtkCompositeDataSet):
         if not any(True for _ in blocks_of(data)):
             raise ValueError(f"the {data.GetClassName()} has no block with cells")

@@ -23,6 +23,9 @@ READERS = {
     ".vtmb": ("vtkIOXML", "vtkXMLMultiBlockDataReader"),
     ".vtpd": ("vtkIOXML", "vtkXMLPartitionedDataSetReader"),
     ".vtpc": ("vtkIOXML", "vtkXMLPartitionedDataSetCollectionReader"),
+    ".vth": ("vtkIOXML", "vtkXMLUniformGridAMRReader"),
+    ".vthb": ("vtkIOXML", "vtkXMLUniformGridAMRReader"),
+    ".htg": ("vtkIOXML", "vtkXMLHyperTreeGridReader"),
     ".pvtp": ("vtkIOXML", "vtkXMLPPolyDataReader"),
     ".pvtu": ("vtkIOXML", "vtkXMLPUnstructuredGridReader"),
     ".pvti": ("vtkIOXML", "vtkXMLPImageDataReader"),
@@ -61,6 +64,8 @@ def enable_all(reader):
         for kind in ("Scalars", "Vectors", "Normals", "Tensors", "ColorScalars", "TCoords", "Fields"):
             getattr(reader, f"ReadAll{kind}On")()
         return
+    if reader.IsA("vtkXMLUniformGridAMRReader"):
+        reader.SetMaximumLevelsToReadByDefault(0)  # all
     reader.UpdateInformation()
     if reader.IsA("vtkExodusIIReader"):
         reader.SetAllArrayStatus(reader.NODAL, 1)
