@@ -9,7 +9,7 @@ bench() {
   configure "$BUILD" -DBUILD_TESTING=ON
   [[ "${1:-}" == against ]] || build tetmarch-bench
   case "${1:-}" in
-    accuracy | effects | structured | growth | interaction | light | pixels | web | against) "bench_$1" "${@:2}" ;;
+    accuracy | effects | structured | grids | growth | interaction | light | pixels | web | against) "bench_$1" "${@:2}" ;;
     *) "$BUILD/bin/tetmarch-bench" "$@" ;;
   esac
 }
@@ -60,6 +60,13 @@ bench_pixels() {
   build vtkRenderingTetMarchPython
   PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
     "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_pixels.py" "$BUILD/pixels" "$@"
+}
+
+# Curvilinear grids beside other ways to draw them.
+bench_grids() {
+  build vtkRenderingTetMarchPython
+  PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
+    "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_grids.py" "$BUILD/grids" "$@"
 }
 
 # Accuracy and time of light. With --picture FILE, only the picture of its page is drawn.

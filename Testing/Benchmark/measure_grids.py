@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A curvilinear grid beside other ways to draw it: measure_grids.py FOLDER [--cubes N ...] [--size WxH] [--frames N]
+
+Draws a bent box of N x N x N hexahedra by turns: with computed cells, as an unstructured grid, as tetrahedra by
+vtkProjectedTetrahedraMapper, and resampled to 128^3 points, as ParaView does. It writes FOLDER/grids.md: seconds to
+prepare and of a frame, bytes of the mapper on the GPU, and the difference from the picture of stored cells.
+"""
+import argparse
+import pathlib
+import statistics
+import time
+
+import made_grids as grids
+import numpy as np
+import vtkmodules.all as vtk
+from measure_pixels import picture_of
+from measured_page import row
+from time_frames import ENOUGH_FOR_ONE_DRAW, Frames
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtktetmarch import vtkTetMarchVolumeMapper
+
+RESAMPLED = 128
+
+
+def bent_box(cubes):
+    axis = np.linspace(0, 1, cubes + 1)
+    z, y, x = (a.ravel() for a in np.meshgrid(axis, axis, axis, indexing="ij"))
+    places = np.stack([x + 0.1 * np.sin(5 * y), y + 0.1 * z * z, z], axis=1)
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    grid = vtk.vtkStructuredGrid()
+    grid.SetDimensions(3 * [cubes + 1])
+    grid.SetPoints(points)
+    grids.add_array(grid.GetPointData(), "waves", grids.waves(places, 2.5))
+    grid.GetPointData().SetActiveScalars("waves")
+    return grid
+
+
+def result_of(algorithm, grid):
+    algorithm.SetInputDataObject(grid)
+    algorithm.Update()
+    return algorithm.GetOutput()
+
+
+def tetmarch(data):
+    mapper = vtkTetMarchVolumeMapper()
+    mapper.SetInputDataObject(data)
+    mapper.SetMaxDrawTimeInSeconds(ENOUGH_FOR_ONE_DRAW)
+    mapper.AutoAdjustSampleDistancesOff()
+    return mapper
+
+
+def projected(grid):
+    mapper = vtk.vtkProjectedTetrahedraMapper()
+    mapper.SetInputData(result_of(vtk.vtkDataSetTriangleFilter(), grid))
+    return mapper
+
+
+def resampled(grid):
+    to_image = vtk.vtkResampleToImage()
+    to_image.SetSamplingDimensions(RESAMPLED, RESAMPLED, RESAMPLED)
+    mapper = vtk.vtkOpenGLGPUVolumeRayCastMapper()
+    mapper.SetInputData(result_of(to_image, grid))
+    mapper.SetAutoAdjustSampleDistances(False)
+    mapper.SetSampleDistance(grid.GetLength() / RESAMPLED)
+    return mapper
+
+
+WAYS = {
+    "TetMarch, computed cells": tetmarch,
+    "TetMarch, stored cells": lambda grid: tetmarch(result_of(vtk.vtkAppendFilter(), grid)),
+    "projected tetrahedra": projected,
+    f"resampled to {RESAMPLED}^3": resampled,
+}
+
+
+class GridFrames(Frames):
+    def __init__(self, grid, make, size):
+        begin = time.perf_counter()
+        mapper = make(grid)
+        self.converted = time.perf_counter() - begin
+        self.show(mapper, size)
+        colors, opacities = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
+        for scalar, *rgb in ((0.0, 0.1, 0.2, 0.8), (0.5, 0.9, 0.9, 0.9), (1.0, 0.8, 0.1, 0.1)):
+            colors.AddRGBPoint(scalar, *rgb)
+        for scalar, opacity in ((0.0, 0.6), (0.3, 0.1), (0.5, 0.4), (0.7, 0.1), (1.0, 0.8)):
+            opacities.AddPoint(scalar, opacity)
+        volume_property = self.volume.GetProperty()
+        volume_property.SetColor(colors)
+        volume_property.SetScalarOpacity(opacities)
+        volume_property.SetScalarOpacityUnitDistance(0.25)
+        volume_property.SetInterpolationTypeToLinear()
+        self.camera.SetFocalPoint(*grid.GetCenter())
+        self.camera.SetPosition(*(c + 2.2 * d for c, d in zip(grid.GetCenter(), (0.5, -1.0, 0.45))))
+        self.camera.SetViewUp(0, 0, 1)
+        self.first_position = self.camera.GetPosition()
+        # Converting the grid and preparing it, without a frame.
+        self.prepared = self.converted + self.seconds(0)
+
+
+def measure(cubes, size, rounds):
+    grid = bent_box(cubes)
+    frames = {name: GridFrames(grid, make, size) for name, make in WAYS.items()}
+    seconds = {name: [] for name in WAYS}
+    for _ in range(rounds):
+        for name, each in frames.items():
+            each.seconds(0)
+            seconds[name].append(each.seconds(1))
+    medians = {name: statistics.median(taken) for name, taken in seconds.items()}
+    reference = picture_of(frames["TetMarch, stored cells"].window)
+    text = ""
+    for name, each in frames.items():
+        mapper = each.volume.GetMapper()
+        ours = isinstance(mapper, vtkTetMarchVolumeMapper)
+        memory = mapper.GetLastFrameStatistics().GetGPUMemoryBytes() / cubes**3 if ours else None
+        difference = np.sqrt(((picture_of(each.window) - reference)**2).mean())
+        text += row([f"{cubes}^3", name, f"{each.prepared:.2f}", f"{medians[name]:.4f}",
+                     f"{medians[name] / medians['TetMarch, computed cells']:.2f}",
+                     f"{memory:.1f}" if ours else "", f"{difference:.1e}"])
+    return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--cubes", type=int, nargs="+", default=[30, 60, 120])
+    parser.add_argument("--size", default="512x512")
+    parser.add_argument("--frames", type=int, default=7)
+    options = parser.parse_args()
+    size = [int(n) for n in options.size.split("x")]
+    options.folder.mkdir(parents=True, exist_ok=True)
+    text = row(["hexahedra", "drawn by", "first frame, s", "frame, s", "relative", "bytes a hexahedron", "RMS"])
+    text += "|---|---|" + "---:|" * 5 + "\n"
+    for cubes in options.cubes:
+        text += measure(cubes, size, options.frames)
+    (options.folder / "grids.md").write_text(text)
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
