@@ -33,7 +33,9 @@ SCENES = {
     "StructuredComponents": ("*BytesAndWords/TwoIndependent:*BytesAndWords/ColorAndOpacity:"
                              "*BytesAndWords/DirectColor", 24),
     "Light": ("LightParity/Lattice.EachSetting:LightParity/*.BehindTransparentCells:"
-              "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.WithOcclusion*", 28),
+              "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.WithOcclusion*:"
+              "*LightThroughCuts*WithinTolerance", 30),
+    "Curvilinear": ("Curvilinear.BlankedCellsAndChanges", 1),
     "Slabs": ("Slabs.LightOfAllKinds:Slabs.BlendModesAndSamples", 14),
     "Kernel": ("", 0), "Component": ("", 0), "Structured": ("", 0), "Sampled": ("", 0),
     "Accuracy": ("", 0), "Combinations": ("", 0),

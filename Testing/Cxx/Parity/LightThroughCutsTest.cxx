@@ -5,6 +5,7 @@
 #include "CutScene.h"
 #include "LatticeGrids.h"
 #include "Lights.h"
+#include "ScenePage.h"
 #include "StructuredScene.h"
 
 #include <cmath>
@@ -51,6 +52,7 @@ void expectLightOfHalf(AnyScene& whole, AnyScene& half, const Way& way)
   const Image inItsShadow = pictureOf(whole, way, std::sqrt(3.0));
   whole.Mapper->LightThroughCutsOn();
   const Image lit = whole.render();
+  keepScenePage(whole.Window);
   EXPECT_GT(compare(inItsShadow, alone).Max, 0.03);
   const Difference difference = compare(lit, alone);
   std::cout << "[ MEASURED ] " << way.Name << ": " << difference.text() << '\n';
