@@ -85,7 +85,7 @@ std::string MeshStage::make(vtkPointSet* grid, const ResourceLimits& limits,
       [&]
       {
         status = !stored ? this->makeCurvilinear(
-                             vtkStructuredGrid::SafeDownCast(grid), limits, progress, error)
+                             vtkStructuredGrid::SafeDownCast(grid), limits, progress, piece, error)
                  : cellsStay && movePoints(stored, this->Mesh)
                    ? BuildStatus::Done
                    : buildTetMesh(stored, progress, this->Mesh, error, piece);
@@ -118,7 +118,7 @@ std::string MeshStage::make(vtkPointSet* grid, const ResourceLimits& limits,
 
 // If the cells can't be computed, they are stored.
 BuildStatus MeshStage::makeCurvilinear(vtkStructuredGrid* grid, const ResourceLimits& limits,
-  const Progress& progress, std::string& error)
+  const Progress& progress, const PieceOptions& piece, std::string& error)
 {
   const BuildStatus status = buildCurvilinearMesh(grid, progress, this->Mesh, error);
   if (status != BuildStatus::Done || !this->Mesh.Tets.empty())
@@ -127,7 +127,8 @@ BuildStatus MeshStage::makeCurvilinear(vtkStructuredGrid* grid, const ResourceLi
   }
   const vtkSmartPointer<vtkUnstructuredGrid> hexahedra = hexahedraOf(grid);
   error = excessOf(hexahedra, limits);
-  return error.empty() ? buildTetMesh(hexahedra, progress, this->Mesh, error) : BuildStatus::Failed;
+  return error.empty() ? buildTetMesh(hexahedra, progress, this->Mesh, error, piece)
+                       : BuildStatus::Failed;
 }
 
 std::string MeshStage::addHierarchy()

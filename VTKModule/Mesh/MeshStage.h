@@ -46,7 +46,7 @@ private:
   bool hasCellsOf(
     vtkPointSet* grid); // whether only the points of the grid differ from those of the mesh
   BuildStatus makeCurvilinear(vtkStructuredGrid* grid, const ResourceLimits& limits,
-    const Progress& progress, std::string& error);
+    const Progress& progress, const PieceOptions& piece, std::string& error);
 
   TetMesh Mesh;
   bool IsMade = false;

@@ -9,6 +9,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkContourValues.h"
+#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTetMarchFrameStatistics.h"
@@ -140,6 +141,28 @@ TEST(Curvilinear, BlankedCellsAndChanges)
   grid->GetPoints()->Modified();
   grid->Modified();
   EXPECT_GT(compare(expectSame("a moved point"), blanked).Max, 0.0);
+}
+
+// Where a ring closes, its first and last points may have other values.
+TEST(Curvilinear, ValuesJumpAtASeam)
+{
+  const auto grid = curvilinearGrid(Size, everyMovement()[4].Move);
+  vtkDataArray* values = grid->GetPointData()->GetScalars();
+  for (vtkIdType p = 0; p < values->GetNumberOfTuples(); ++p)
+  {
+    values->SetComponent(p, 0, double(p / (Size[0] + 1) % (Size[1] + 1)) / Size[1]);
+  }
+  Scene stored(withStoredCells(grid));
+  Scene alone(stored.Data);
+  alone.Mapper->SetInputDataObject(grid);
+  const Image expected = stored.render();
+  EXPECT_LE(compare(alone.render(), expected).Max, 1.0 / 255.0);
+  for (vtkIdType p = 0; p < values->GetNumberOfTuples(); ++p)
+  {
+    values->SetComponent(p, 0, 0.5);
+  }
+  values->Modified();
+  EXPECT_GT(compare(alone.render(), expected).Max, 0.1);
 }
 
 TEST(Curvilinear, PicksAndGroundTruth)
