@@ -53,9 +53,11 @@ using Points4 = std::array<Id, 4>;
 
 Points4 pointsOf(const TetMesh& mesh, Id tet)
 {
-  Points4 points;
-  std::transform(mesh.Tets[tet].begin(), mesh.Tets[tet].end(), points.begin(),
-    [&mesh](Id vertex) { return mesh.VertexPoints[vertex]; });
+  Points4 points = mesh.Tets[tet];
+  for (Id& vertex : points)
+  {
+    vertex = mesh.VertexPoints[vertex];
+  }
   std::sort(points.begin(), points.end());
   return points;
 }
