@@ -105,6 +105,10 @@ inline std::vector<VariantKey> legalKeys()
     {
       key.Structured = false;
     }
+    if (i % 8 != 2) // else half would have no corners of their own
+    {
+      key.Curvilinear = false;
+    }
     legal.add(key.filtered());
   }
   return legal.Keys;
@@ -138,7 +142,7 @@ inline std::vector<VariantKey> legalLightKeys()
   return legal.Keys;
 }
 
-/// Of what is picked; in whatever number of buffers of tetrahedra.
+/// Of what is picked; in whatever number of buffers of tetrahedra, or computed ones.
 inline std::vector<VariantKey> legalPickKeys()
 {
   DistinctKeys legal;
@@ -147,6 +151,8 @@ inline std::vector<VariantKey> legalPickKeys()
     legal.add(key.ofPick());
     VariantKey other = key;
     other.SplitCells = !key.SplitCells;
+    legal.add(other.ofPick());
+    other.Curvilinear = true;
     legal.add(other.ofPick());
   }
   return legal.Keys;

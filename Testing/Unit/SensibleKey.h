@@ -23,7 +23,8 @@ inline bool isSensible(const VariantKey& k)
                        k.HeadlightShadows || k.Occlusion || k.LightTolerance ||
                        k.LightThroughCuts || k.FewLights;
   // Rays enter a lattice through its planes, without lists or predicates.
-  const bool ofTetrahedra = k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells;
+  const bool ofTetrahedra =
+    k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells || k.Curvilinear;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
          // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
          // there are blocks of it.
@@ -43,13 +44,15 @@ inline bool isSensible(const VariantKey& k)
                            k.HeadlightShadows || k.Occlusion)) &&
          !(ofScalars && (k.Shading || k.ShowIllumination || k.ShowGradients)) &&
          // Several scalars are mixed in one way, where there is a volume of several colours;
-         // independent ones of images in light without shadows, and cells that one of them doesn't
+         // independent ones in light without shadows, and cells that one of them doesn't
          // show another may.
          !(several && (!composite || k.ConstantColor)) &&
          !(independent &&
-           (k.TransparentRanges || k.GradientOpacity || (k.Shading && !k.Structured) ||
-             k.CellGradients || k.LightTolerance || k.Scattering || k.CastShadows ||
-             k.HeadlightShadows || k.Occlusion || k.ShowIllumination || k.ShowGradients)) &&
+           (k.TransparentRanges || k.GradientOpacity || k.CellGradients || k.LightTolerance ||
+             k.Scattering || k.CastShadows || k.HeadlightShadows || k.Occlusion ||
+             k.ShowIllumination || k.ShowGradients)) &&
+         // What is computed is in no buffer, and has the scalars of its points.
+         !(k.Curvilinear && (k.SplitCells || k.CornerScalars)) &&
          // Corners have one scalar, of points, and vertices no gradient there.
          !(k.CornerScalars &&
            (!k.PointScalars || k.Structured || several ||

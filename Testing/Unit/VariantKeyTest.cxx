@@ -108,27 +108,33 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // Rays towards the light: of scalars at points or of cells, with what is not finite and with hidden
 // cells or without; past opaque geometry or not, and with gradient opacity of points in two ways,
 // of corners and of cells in one, or without. Through a mesh in one part or several, fused or not,
-// in one buffer or two; through a lattice whose planes are even or not, with leaps or without, and
-// whose values are in one texture, in two or in many. Cuts let light through or not.
+// in one buffer or two; through a curvilinear grid; through a lattice whose planes are even or not,
+// with leaps or without, and whose values are in one texture, in two or in many. Cuts let light
+// through or not.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
   const std::size_t ofMeshes = 2 * 2 * 2 * 2 * 2 * (3 + 2 + 2);
   const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
-  EXPECT_EQ(light, 2 * (2 * ofMeshes + 3 * ofVolumes));
+  const std::size_t ofCurvilinear = ofVolumes; // it has no corners of their own
+  EXPECT_EQ(light, 2 * (2 * ofMeshes + ofCurvilinear + 3 * ofVolumes));
   // Entries are listed or searched for. Of scalars at points, corners or cells, clipped, cropped or
   // whole, with hidden cells or not; of volumes with opacity by gradients of either kind or
   // without, or of independent components, with what is not finite or not; or in three other blend
-  // modes. Of a mesh in one buffer or two; or of a lattice, whose planes are even or not, volumes
-  // are leapt to or not, and so are surfaces in trilinear cells; in one texture, two, many.
+  // modes. Of a mesh in one buffer or two; of a curvilinear grid, without corners; or of a lattice,
+  // whose planes are even or not, volumes are leapt to or not, and so are surfaces in trilinear
+  // cells; in one texture, two, many.
   const std::size_t picked = legalPickKeys().size();
   const std::size_t searched = (3 + 2 + 2 + 2) * 2 + 3 * 3;
   const std::size_t visible = (3 + 2) * 2 + 1; // of a part of the mesh, or of all of it
   const std::size_t ofTetrahedra = 2 * 3 * 2 * (searched + searched + visible);
   const std::size_t visibleCorners = 2 * 3 * 2 * (2 * 2 + 1); // of a mesh in one buffer
+  const std::size_t computed = (3 + 2 + 2) * 2 + 3 * 2;
+  const std::size_t ofCurvilinearPicks = 2 * 3 * 2 * (computed + computed + visible);
   const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
   const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
-  EXPECT_EQ(picked, 2 * ofTetrahedra + visibleCorners + 3 * ofLattices - ofTwoComponents);
+  EXPECT_EQ(picked,
+    2 * ofTetrahedra + visibleCorners + ofCurvilinearPicks + 3 * ofLattices - ofTwoComponents);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";
 }
@@ -152,6 +158,7 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
     ASSERT_EQ(light.Leaps, picture.Leaps);
     ASSERT_EQ(light.HasFma, picture.HasFma);
     ASSERT_EQ(light.SplitCells, picture.SplitCells);
+    ASSERT_EQ(light.Curvilinear, picture.Curvilinear);
     ASSERT_EQ(light.NanShown, picture.NanShown);
     ASSERT_EQ(light.HiddenCells, picture.HiddenCells);
     ASSERT_EQ(light.GradientOpacity, picture.GradientOpacity);
@@ -191,9 +198,9 @@ TEST(VariantKey, PicksKnowNoLight)
     ASSERT_EQ(
       pick.VisiblePart, picture.VisiblePart && !(picture.SplitCells && picture.CornerScalars));
     pick.VisiblePart = false;
-    for (bool VariantKey::*same :
-      { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
-        &VariantKey::Leaps, &VariantKey::SplitCells, &VariantKey::CornerScalars })
+    for (bool VariantKey::*same : { &VariantKey::Clipped, &VariantKey::Cropped,
+           &VariantKey::HiddenCells, &VariantKey::NanShown, &VariantKey::Leaps,
+           &VariantKey::SplitCells, &VariantKey::Curvilinear, &VariantKey::CornerScalars })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
       pick.*same = false;
