@@ -14,7 +14,7 @@ from variant_scenes import FEATURES, VariantScene
 
 BUILD = None
 HERE = pathlib.Path(__file__).resolve().parent
-EVERY = 47  # six scenes: pictures, picks and options
+EVERY = 61  # a few scenes: pictures, picks and options
 FEWEST_COLORS = 3  # a view of the light on isosurfaces, say, has one for each surface, and the background
 
 

@@ -56,6 +56,18 @@ def grid_of(points, cells):
     return grid
 
 
+def curvilinear(cubes, bend=0.0):
+    """The same points as a curvilinear grid; bent along y, it is not convex."""
+    places = lattice_points(cubes, JITTER, 1)
+    places[:, 1] += bend * np.sin(np.pi * places[:, 0])
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    grid = vtk.vtkStructuredGrid()
+    grid.SetDimensions(3 * [cubes + 1])
+    grid.SetPoints(points)
+    return grid
+
+
 def with_points_of_each_cell(grid):
     """The same tetrahedra, each with four points of its own, and for each of these its number in the grid."""
     numbers = vtk_to_numpy(grid.GetCells().GetConnectivityArray())

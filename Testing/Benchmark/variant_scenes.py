@@ -14,7 +14,7 @@ FEATURES = frozenset("""
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT FEW_LIGHTS WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS LIGHT_TOLERANCE LIGHT_THROUGH_CUTS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION
     SHOW_ILLUMINATION SHOW_GRADIENTS STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
-    CORNER_SCALARS
+    CURVILINEAR CORNER_SCALARS
     """.split())
 ARRAY = "field"
 CUBES = 4
@@ -69,8 +69,13 @@ class VariantScene:
             return self.one_of(2, 3, 4)
         return 2 if self.has("COLOR_AND_OPACITY") else 4 if self.has("DIRECT_COLOR") else 1
 
+    def make_grid(self):
+        if self.has("CURVILINEAR"):
+            return grids.curvilinear(CUBES, 0.2 if self.has("BVH") else 0.0)
+        return grids.lattice(CUBES, grids.outside_a_hole if self.has("BVH") else None)
+
     def set_grid(self):
-        grid = grids.lattice(CUBES, grids.outside_a_hole if self.has("BVH") else None)
+        grid = self.make_grid()
         if self.has("POINT_SCALARS"):
             data, places = grid.GetPointData(), grids.points_of(grid)
             self.mapper.SetScalarModeToUsePointFieldData()
@@ -131,7 +136,7 @@ class VariantScene:
             marks[hidden] = HIDDEN_CELL
             grids.add_array(grid.GetCellData(), "vtkGhostType", marks)
         self.mapper.SelectScalarArray(ARRAY)
-        self.mapper.SetInputData(grid)
+        self.mapper.SetInputDataObject(grid)
         self.grid = grid
 
     def set_functions(self):
