@@ -34,16 +34,16 @@ SCENES = {
                              "*BytesAndWords/DirectColor", 24),
     "Light": ("LightParity/Lattice.EachSetting:LightParity/*.BehindTransparentCells:"
               "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.WithOcclusion*:"
-              "*LightThroughCuts*WithinTolerance", 30),
+              "*LightThroughCuts*AtVertices", 30),
     "Curvilinear": ("Curvilinear.BlankedCellsAndChanges", 1),
     "Slabs": ("Slabs.LightOfAllKinds:Slabs.BlendModesAndSamples", 14),
     "Kernel": ("", 0), "Component": ("", 0), "Structured": ("", 0), "Sampled": ("", 0),
     "Accuracy": ("", 0), "Combinations": ("", 0),
 }
 # Features of the key that no page has when it is written: it lists entries by itself, is drawn at once, without fused
-# arithmetic, and shows the picture alone.
+# arithmetic, and shows the picture alone. Light within a tolerance takes browsers without a GPU minutes.
 IN_NO_PAGE = {"ENTRY_LISTS", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION",
-              "SHOW_GRADIENTS", "SPLIT_CELLS"}
+              "SHOW_GRADIENTS", "SPLIT_CELLS", "LIGHT_TOLERANCE"}
 
 
 def draw(program, tests):
