@@ -54,7 +54,8 @@ void writeText(const std::string& file, const Pass& pass, const std::string& def
 
 void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
 {
-  const std::string precise = "#define TETMARCH_HAS_PRECISE 1\n";
+  // The comparison runs on llvmpipe.
+  const std::string precise = "#define TETMARCH_LIMITS_TURNS 1\n#define TETMARCH_HAS_PRECISE 1\n";
   writeText(begin + "-portable.frag", pass, key.defines() + precise);
   key.HasFma = !key.Structured;
   const std::string gather = key.Structured ? "#define TETMARCH_HAS_GATHER 1\n" : "";

@@ -106,7 +106,7 @@ void bindLightRays(
     program->SetUniform4fv("shadowSource", count, sources.data());
   }
   program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
-  if (program->IsUniformUsed("mostLightSamples"))
+  if (key.SampledShadows && key.LightTolerance)
   {
     program->SetUniformi("mostLightSamples", lights.MostSamples);
   }
