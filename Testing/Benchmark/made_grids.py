@@ -56,10 +56,8 @@ def grid_of(points, cells):
     return grid
 
 
-def curvilinear(cubes, bend=0.0):
-    """The same points as a curvilinear grid; bent along y, it is not convex."""
-    places = lattice_points(cubes, JITTER, 1)
-    places[:, 1] += bend * np.sin(np.pi * places[:, 0])
+def curvilinear(places, cubes):
+    """A curvilinear grid of as many cubes along each dimension, whose points lattice_points() gave."""
     points = vtk.vtkPoints()
     points.SetData(numpy_to_vtk(places, deep=True))
     grid = vtk.vtkStructuredGrid()

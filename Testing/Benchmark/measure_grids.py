@@ -16,22 +16,16 @@ import numpy as np
 import vtkmodules.all as vtk
 from measure_pixels import picture_of
 from measured_page import row
-from time_frames import ENOUGH_FOR_ONE_DRAW, Frames
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves
 from vtktetmarch import vtkTetMarchVolumeMapper
 
 RESAMPLED = 128
 
 
 def bent_box(cubes):
-    axis = np.linspace(0, 1, cubes + 1)
-    z, y, x = (a.ravel() for a in np.meshgrid(axis, axis, axis, indexing="ij"))
+    x, y, z = grids.lattice_points(cubes, 0.0, 1).T
     places = np.stack([x + 0.1 * np.sin(5 * y), y + 0.1 * z * z, z], axis=1)
-    points = vtk.vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    grid = vtk.vtkStructuredGrid()
-    grid.SetDimensions(3 * [cubes + 1])
-    grid.SetPoints(points)
+    grid = grids.curvilinear(places, cubes)
     grids.add_array(grid.GetPointData(), "waves", grids.waves(places, 2.5))
     grid.GetPointData().SetActiveScalars("waves")
     return grid
@@ -81,11 +75,7 @@ class GridFrames(Frames):
         mapper = make(grid)
         self.converted = time.perf_counter() - begin
         self.show(mapper, size)
-        colors, opacities = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
-        for scalar, *rgb in ((0.0, 0.1, 0.2, 0.8), (0.5, 0.9, 0.9, 0.9), (1.0, 0.8, 0.1, 0.1)):
-            colors.AddRGBPoint(scalar, *rgb)
-        for scalar, opacity in ((0.0, 0.6), (0.3, 0.1), (0.5, 0.4), (0.7, 0.1), (1.0, 0.8)):
-            opacities.AddPoint(scalar, opacity)
+        colors, opacities = functions_of_waves()
         volume_property = self.volume.GetProperty()
         volume_property.SetColor(colors)
         volume_property.SetScalarOpacity(opacities)

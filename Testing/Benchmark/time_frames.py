@@ -40,16 +40,20 @@ def read_golfball():
     return reader.GetOutput(), "vorticity_mag", colors, opacities, 0.02
 
 
-def make_lattice(cubes, keep=None):
-    """Waves under functions that let a quarter of the light through, so that no ray ends early."""
-    grid = grids.lattice(cubes, keep)
-    grids.add_array(grid.GetPointData(), "waves", grids.waves(grids.points_of(grid), 2.5))
+def functions_of_waves():
+    """Colours and opacities that let a quarter of the light through, so that no ray ends early."""
     colors, opacities = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
     for scalar, *rgb in ((0.0, 0.1, 0.2, 0.8), (0.5, 0.9, 0.9, 0.9), (1.0, 0.8, 0.1, 0.1)):
         colors.AddRGBPoint(scalar, *rgb)
     for scalar, opacity in ((0.0, 0.6), (0.3, 0.1), (0.5, 0.4), (0.7, 0.1), (1.0, 0.8)):
         opacities.AddPoint(scalar, opacity)
-    return grid, "waves", colors, opacities, 0.25
+    return colors, opacities
+
+
+def make_lattice(cubes, keep=None):
+    grid = grids.lattice(cubes, keep)
+    grids.add_array(grid.GetPointData(), "waves", grids.waves(grids.points_of(grid), 2.5))
+    return grid, "waves", *functions_of_waves(), 0.25
 
 
 def make_dataset(name):

@@ -71,7 +71,10 @@ class VariantScene:
 
     def make_grid(self):
         if self.has("CURVILINEAR"):
-            return grids.curvilinear(CUBES, 0.2 if self.has("BVH") else 0.0)
+            places = grids.lattice_points(CUBES, grids.JITTER, 1)
+            if self.has("BVH"):  # not convex
+                places[:, 1] += 0.2 * np.sin(np.pi * places[:, 0])
+            return grids.curvilinear(places, CUBES)
         return grids.lattice(CUBES, grids.outside_a_hole if self.has("BVH") else None)
 
     def set_grid(self):

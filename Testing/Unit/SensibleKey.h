@@ -51,7 +51,7 @@ inline bool isSensible(const VariantKey& k)
            (k.TransparentRanges || k.GradientOpacity || k.CellGradients || k.LightTolerance ||
              k.Scattering || k.CastShadows || k.HeadlightShadows || k.Occlusion ||
              k.ShowIllumination || k.ShowGradients)) &&
-         // What is computed is in no buffer, and has the scalars of its points.
+         // Computed tetrahedra are in no buffer. Their corners have the scalars of the points.
          !(k.Curvilinear && (k.SplitCells || k.CornerScalars)) &&
          // Corners have one scalar, of points, and vertices no gradient there.
          !(k.CornerScalars &&

@@ -6,6 +6,8 @@
 #include "Mesh/Convexity.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Orientation.h"
+#include "Mesh/SharedVertices.h"
+#include "Mesh/VertexPlaces.h"
 #include "Parallel/ParallelFor.h"
 
 #include "vtkCellArray.h"
@@ -22,34 +24,6 @@ namespace tetmarch
 {
 namespace
 {
-
-// The vertices are the points in their order.
-std::string placeVertices(vtkPoints* points, std::size_t count, TetMesh& mesh)
-{
-  std::vector<Vector3> positions(count);
-  parallelFor(0, static_cast<vtkIdType>(count),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        points->GetPoint(i, positions[i].data());
-      }
-    });
-  std::string wrong = findFrame(positions, mesh.Frame);
-  if (wrong.empty())
-  {
-    mesh.Vertices.resize(count);
-    parallelFor(0, static_cast<vtkIdType>(count),
-      [&](vtkIdType first, vtkIdType last)
-      {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          mesh.Vertices[i] = vertexAt(positions[i], mesh.Frame);
-        }
-      });
-  }
-  return wrong;
-}
 
 // The sign of the volume of the tetrahedron in a grid whose axes are right-handed, or its opposite
 // in others.
@@ -89,14 +63,7 @@ void findBoundary(int hand, TetMesh& mesh)
 
 bool hasCoincidentVertices(const TetMesh& mesh)
 {
-  std::vector<Id> vertices;
-  vertices.reserve(3 * mesh.BoundaryFaces.size());
-  for (const auto& face : mesh.BoundaryFaces)
-  {
-    vertices.insert(vertices.end(), face.begin(), face.begin() + 3);
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<Id> vertices = boundaryVertices(mesh);
   const auto place = [&mesh](Id v)
   { return std::tie(mesh.Vertices[v].X, mesh.Vertices[v].Y, mesh.Vertices[v].Z); };
   std::sort(vertices.begin(), vertices.end(), [&place](Id a, Id b) { return place(a) < place(b); });
@@ -120,16 +87,15 @@ BuildStatus buildCurvilinearMesh(
   }
   int points[3];
   grid->GetDimensions(points);
-  CurvilinearCells cells(
-    std::array<Id, 3>{ { Id(points[0] - 1), Id(points[1] - 1), Id(points[2] - 1) } });
-  error = placeVertices(grid->GetPoints(), cells.numberOfPoints(), mesh);
+  mesh.computeCells(CurvilinearCells(
+    std::array<Id, 3>{ { Id(points[0] - 1), Id(points[1] - 1), Id(points[2] - 1) } }));
+  mesh.NumberOfPoints = grid->GetNumberOfPoints();
+  mesh.HasCutCells = true;
+  error = placeVertices(positionsOf(grid->GetPoints(), mesh), mesh);
   if (!error.empty())
   {
     return BuildStatus::Failed;
   }
-  mesh.NumberOfPoints = grid->GetNumberOfPoints();
-  mesh.HasCutCells = true;
-  mesh.computeCells(std::move(cells));
   bool unfinished = false;
   const int hand = handOf(mesh, subProgress(progress, 0.1, 0.8), unfinished);
   if (unfinished)

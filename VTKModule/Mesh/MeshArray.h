@@ -15,7 +15,7 @@
 namespace tetmarch
 {
 
-/** Rule::size(cells) values, of which each is Rule::at(cells, index); or those of stored(). */
+/** Either stored() values, or Rule::size(cells) ones: value i is Rule::at(cells, i). */
 template <typename Rule>
 class MeshArray
 {

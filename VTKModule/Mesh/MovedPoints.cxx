@@ -9,6 +9,7 @@
 #include "Mesh/Convexity.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Orientation.h"
+#include "Mesh/VertexPlaces.h"
 #include "Parallel/ParallelFor.h"
 
 #include "vtkPoints.h"
@@ -30,30 +31,9 @@ bool areSound(const Vector3& position)
 
 bool moveVertices(vtkPoints* points, TetMesh& mesh)
 {
-  std::vector<Vector3> positions(mesh.Vertices.size());
-  const auto count = static_cast<vtkIdType>(positions.size());
-  parallelFor(0, count,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        points->GetPoint(mesh.VertexPoints[i], positions[i].data());
-      }
-    });
-  if (!std::all_of(positions.begin(), positions.end(), areSound) ||
-      !findFrame(positions, mesh.Frame).empty())
-  {
-    return false;
-  }
-  parallelFor(0, count,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        mesh.Vertices[i] = vertexAt(positions[i], mesh.Frame);
-      }
-    });
-  return true;
+  const std::vector<Vector3> positions = positionsOf(points, mesh);
+  return std::all_of(positions.begin(), positions.end(), areSound) &&
+         placeVertices(positions, mesh).empty();
 }
 
 int sideOf(const std::vector<std::int8_t>& signs, Id tet, Id i) { return signs[tet] * parity(i); }

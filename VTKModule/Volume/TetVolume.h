@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tetrahedra of an unstructured or curvilinear grid with what is drawn of them: the stages that
-// make it, each of which runs again only when its own input changed.
+// The tetrahedra of an unstructured or curvilinear grid, their scalars and what is visible. A stage
+// makes each of these. It runs again when its input has changed.
 #ifndef TetMarchVolumeTetVolume_h
 #define TetMarchVolumeTetVolume_h
 
