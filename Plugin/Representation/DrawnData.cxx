@@ -6,9 +6,14 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkHyperTreeGridToUnstructuredGrid.h"
 #include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -19,10 +24,27 @@ namespace tetmarch
 namespace
 {
 
-vtkSmartPointer<vtkDataSet> shallowCopy(vtkDataSet* data)
+// Null if the data is no data set and no vtkHyperTreeGrid.
+vtkSmartPointer<vtkDataSet> copyOfDataSet(
+  vtkDataObject* data, const std::function<void(vtkDataSet*)>& change)
 {
-  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
+  vtkSmartPointer<vtkDataSet> copy;
+  if (auto* grid = vtkDataSet::SafeDownCast(data))
+  {
+    copy.TakeReference(grid->NewInstance());
+    copy->ShallowCopy(grid);
+  }
+  else if (vtkHyperTreeGrid::SafeDownCast(data))
+  {
+    vtkNew<vtkHyperTreeGridToUnstructuredGrid> leaves;
+    leaves->SetInputDataObject(data);
+    leaves->Update();
+    copy = vtkDataSet::SafeDownCast(leaves->GetOutputDataObject(0));
+  }
+  if (copy && change)
+  {
+    change(copy);
+  }
   return copy;
 }
 
@@ -105,16 +127,23 @@ vtkBoundingBox boundsOfDataSet(vtkDataSet* data)
 
 } // namespace
 
+bool isDrawnAsMesh(vtkDataObject* data)
+{
+  return vtkPointSet::SafeDownCast(data) || vtkDataObjectTree::SafeDownCast(data) ||
+         vtkUniformGridAMR::SafeDownCast(data) || vtkHyperTreeGrid::SafeDownCast(data);
+}
+
 vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelection& selection,
   const std::function<void(vtkDataSet*)>& change)
 {
-  if (auto* grid = vtkDataSet::SafeDownCast(input))
+  if (const auto copy = copyOfDataSet(input, change))
   {
-    auto copy = shallowCopy(grid);
-    if (change)
-    {
-      change(copy);
-    }
+    return copy;
+  }
+  if (vtkUniformGridAMR::SafeDownCast(input))
+  {
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+    copy->ShallowCopy(input);
     return copy;
   }
   auto* tree = vtkDataObjectTree::SafeDownCast(input);
@@ -124,13 +153,12 @@ vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelec
   }
   auto selected = selectBlocks(tree, selection);
   const auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(selected->NewTreeIterator());
-  for (at->InitTraversal(); change && !at->IsDoneWithTraversal(); at->GoToNextItem())
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
   {
-    if (auto* block = vtkDataSet::SafeDownCast(at->GetCurrentDataObject()))
+    vtkDataObject* block = at->GetCurrentDataObject();
+    if (change || vtkHyperTreeGrid::SafeDownCast(block))
     {
-      const auto copy = shallowCopy(block);
-      change(copy);
-      selected->SetDataSet(at, copy);
+      selected->SetDataSet(at, copyOfDataSet(block, change));
     }
   }
   return selected;

@@ -4,21 +4,36 @@
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkGenericCell.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace
 {
 
-bool hasSolids(vtkUnstructuredGrid* grid)
+bool hasSolids(vtkDataSet* data)
 {
+  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(data))
+  {
+    return curvilinear->GetDataDimension() == 3;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (!grid)
+  {
+    return true;
+  }
   vtkNew<vtkGenericCell> cell;
   vtkUnsignedCharArray* types = grid->GetDistinctCellTypesArray();
   for (vtkIdType i = 0; types && i < types->GetNumberOfValues(); ++i)
@@ -30,6 +45,27 @@ bool hasSolids(vtkUnstructuredGrid* grid)
     }
   }
   return false;
+}
+
+std::vector<vtkHyperTreeGrid*> treesOf(vtkDataObject* data)
+{
+  std::vector<vtkHyperTreeGrid*> trees;
+  if (auto* tree = vtkHyperTreeGrid::SafeDownCast(data))
+  {
+    trees.push_back(tree);
+  }
+  else if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
+  {
+    const auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(blocks->NewTreeIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    {
+      if (auto* block = vtkHyperTreeGrid::SafeDownCast(at->GetCurrentDataObject()))
+      {
+        trees.push_back(block);
+      }
+    }
+  }
+  return trees;
 }
 
 } // namespace
@@ -62,11 +98,17 @@ void InputProblem::lookAt(vtkDataObject* input)
   for (vtkDataSet* data : vtkCompositeDataSet::GetDataSets(input))
   {
     const long long cells = data->GetNumberOfCells();
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
     found[CELLS] += cells;
-    found[SOLIDS] += !grid || (cells > 0 && hasSolids(grid)) ? cells : 0;
+    found[SOLIDS] += cells > 0 && hasSolids(data) ? cells : 0;
     found[ARRAYS] +=
       data->GetPointData()->GetNumberOfArrays() + data->GetCellData()->GetNumberOfArrays();
+  }
+  for (vtkHyperTreeGrid* tree : treesOf(input))
+  {
+    const long long cells = tree->GetNumberOfLeaves();
+    found[CELLS] += cells;
+    found[SOLIDS] += tree->GetDimension() == 3 ? cells : 0;
+    found[ARRAYS] += tree->GetCellData()->GetNumberOfArrays();
   }
   long long all[NUMBERS];
   std::copy_n(found, NUMBERS, all);

@@ -40,13 +40,22 @@ vtkTetMarchVolumeRepresentation::vtkTetMarchVolumeRepresentation()
 
 vtkTetMarchVolumeRepresentation::~vtkTetMarchVolumeRepresentation() = default;
 
+int vtkTetMarchVolumeRepresentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkExplicitStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
+  return 1;
+}
+
 // Where the data lies, when it or the blocks to be seen have changed.
 int vtkTetMarchVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   this->InputProblem.lookAt(input);
-  if (vtkUnstructuredGrid::SafeDownCast(input) || vtkDataObjectTree::SafeDownCast(input))
+  if (tetmarch::isDrawnAsMesh(input))
   {
     std::function<void(vtkDataSet*)> change;
     if (this->UseSeparateOpacityArray)

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTetMarchVolumeRepresentation
- * @brief   ParaView's volume representation of unstructured grids, drawn by vtkTetMarchVolumeMapper
+ * @brief   ParaView's volume representation of meshes, drawn by vtkTetMarchVolumeMapper
  *
+ * For unstructured, curvilinear and explicit structured grids, blocks of them, and adaptive meshes.
  * The mapper receives the input unchanged: cells of all types, with their ids, ghosts and blocks,
  * which it joins. The superclass would decompose cells into tetrahedra, which do not match those of
  * neighbours, merge blocks and remove ghosts, so that ids would differ from those of the input;
@@ -125,6 +126,7 @@ protected:
   vtkTetMarchVolumeRepresentation();
   ~vtkTetMarchVolumeRepresentation() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void UpdateMapperParameters() override;

@@ -4,6 +4,7 @@
 #include "vtkTetMarchVolumeRepresentation.h"
 
 #include "AppendedData.h"
+#include "DrawnData.h"
 #include "RegionPlanes.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -49,13 +50,14 @@ void vtkTetMarchVolumeRepresentation::AgreeOnMoves(bool hasInput)
   {
     return;
   }
-  const int own[2] = { vtkDataObjectTree::SafeDownCast(this->Drawn) ? 1 : 0,
+  const int own[2] = { vtkUnstructuredGrid::SafeDownCast(this->Drawn) ? 0 : 1,
     tetmarch::findsAppendedData() ? 0 : 1 };
   int any[2] = { 0, 0 };
   vtkMultiProcessController::GetGlobalController()->AllReduce(own, any, 2, vtkCommunicator::MAX_OP);
   if (any[0])
   {
-    this->WhyNotMoved = "ParaView moves no blocks.";
+    this->WhyNotMoved =
+      "ParaView moves cells of an unstructured grid only, not of blocks or of other grids.";
   }
   else if (any[1])
   {
@@ -107,7 +109,7 @@ void vtkTetMarchVolumeRepresentation::PrepareToRender(vtkInformation* inInfo)
                                    ? vtkPVRenderView::GetPieceProducerLOD(inInfo, this)
                                    : vtkPVRenderView::GetPieceProducer(inInfo, this);
   vtkDataObject* data = producer ? producer->GetProducer()->GetOutputDataObject(0) : nullptr;
-  bool drawable = vtkUnstructuredGrid::SafeDownCast(data) || vtkDataObjectTree::SafeDownCast(data);
+  const bool drawable = tetmarch::isDrawnAsMesh(data);
   this->TetMarchMapper->RemoveAllClippingPlanes();
   PieceReport report;
   if (drawable && this->DrawsPieces(view))

@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of time steps, with their data inline: Debian 12's ParaView reads them whatever libexpat it has."""
 from lattices import ARRAY, image, lattice
+from other_grids import curvilinear
 from paraview import simple
-from paraview.vtk.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
+from paraview.vtk.vtkIOXML import vtkXMLImageDataWriter, vtkXMLStructuredGridWriter, vtkXMLUnstructuredGridWriter
 from views import open_view, show
 
 SIDE = 6
 # What makes the grid, what writes it, and how ParaView shows it.
 KINDS = {
     "vtu": (lattice, vtkXMLUnstructuredGridWriter, "UnstructuredGridRepresentation"),
+    "vts": (curvilinear, vtkXMLStructuredGridWriter, "StructuredGridRepresentation"),
     "vti": (image, vtkXMLImageDataWriter, "UniformGridRepresentation"),
 }
 

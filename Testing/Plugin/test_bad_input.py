@@ -17,6 +17,7 @@ NO_CELLS = "The data has no cells, so Tet Marching draws nothing."
 NOT_SOLID = "None of the 4 cells of the data is three-dimensional"
 NO_ARRAY = f'has no array named "{ARRAY}" in the point data, so nothing is drawn'
 FLAT_IMAGE = "a volume has at least 2 along each axis"
+FLAT = {"vtu": NOT_SOLID, "vts": NOT_SOLID, "vti": FLAT_IMAGE}
 SOME_BLOCKS = f'Blocks without array named "{ARRAY}" in the point data are not drawn: "a"'
 NOT_CHOSEN = "the data has a solid color. Choose an array under Coloring."
 NOTHING_TO_CHOOSE = "the data has neither point nor cell arrays"
@@ -52,7 +53,7 @@ def of_strings(kind):
 
 
 def empty(kind):
-    return vtkUnstructuredGrid() if kind == "vtu" else vtkImageData()
+    return good(kind).NewInstance()
 
 
 def flat(kind):
@@ -60,6 +61,8 @@ def flat(kind):
         data = vtkImageData()
         data.SetDimensions(N + 1, N + 1, 1)
         return at_points(data, sum_of)
+    if kind == "vts":
+        return KINDS[kind][0]((N, 1, 0), sum_of)
     data = vtkUnstructuredGrid()
     data.ShallowCopy(good(kind))
     data.Reset()
@@ -73,7 +76,7 @@ def good_blocks(kind):
 
 
 CAUSES = ((without_arrays, NO_ARRAY), (array_renamed, NO_ARRAY), (of_strings, NO_ARRAY), (empty, NO_CELLS),
-          (flat, {"vtu": NOT_SOLID, "vti": FLAT_IMAGE}))
+          (flat, FLAT))
 CAUSES_OF_BLOCKS = ((lambda kind: blocks(a=empty(kind), b=empty(kind)), NO_CELLS),
                     (lambda kind: vtkMultiBlockDataSet(), NO_CELLS),
                     (lambda kind: blocks(a=without_arrays(kind), b=good(kind)), SOME_BLOCKS))
@@ -127,7 +130,7 @@ class Stage:
     def check_first(self, kind):
         """What is bad from the beginning."""
         for cause, message in ((without_arrays, NOTHING_TO_CHOOSE), (empty, NO_CELLS),
-                               (flat, {"vtu": NOT_SOLID, "vti": FLAT_IMAGE}[kind])):
+                               (flat, FLAT[kind])):
             source = source_of(cause(kind))
             display = simple.Show(source, self.view, KINDS[kind][2])
             display.SetRepresentationType(REPRESENTATION)

@@ -5,6 +5,7 @@ import json
 import pathlib
 
 from lattices import ARRAY, image, lattice, source_of
+from other_grids import adaptive, curvilinear, field, trees
 from paraview import simple
 from views import load_plugin, open_view, parse_arguments, show
 
@@ -32,7 +33,7 @@ def groups_of(proxy):
         group = proxy.GetPropertyGroup(i)
         names = [proxy.GetPropertyName(group.GetProperty(k)) for k in range(group.GetNumberOfProperties())]
         if any((name or "").startswith("TetMarch") for name in names):
-            found[group.GetXMLLabel()] = {name[len("TetMarch"):] for name in names}
+            found[group.GetXMLLabel()] = {name.removeprefix("TetMarch") for name in names}
     return found
 
 
@@ -43,7 +44,7 @@ def check_groups(proxy):
         assert set(names) <= groups[label], f"{label} lacks {set(names) - groups[label]}"
     in_groups = set.union(*groups.values())
     for prop in properties(proxy):
-        name = proxy.GetPropertyName(prop)[len("TetMarch"):]
+        name = proxy.GetPropertyName(prop).removeprefix("TetMarch")
         assert prop.GetInformationOnly() or name in in_groups, f"{name} is in no group"
     return groups
 
@@ -72,7 +73,7 @@ def domains(prop):
 
 def check_ranges(proxy):
     for prop in properties(proxy):
-        name = proxy.GetPropertyName(prop)[len("TetMarch"):]
+        name = proxy.GetPropertyName(prop).removeprefix("TetMarch")
         numbers = prop.IsA("vtkSMVectorProperty") and not prop.IsA("vtkSMStringVectorProperty")
         if numbers and not prop.GetInformationOnly() and name not in FREE:
             assert any(True for _ in domains(prop)), f"{name} has no range"
@@ -103,8 +104,12 @@ def main():
     arguments = parse_arguments(__doc__)
     load_plugin(arguments)
     view = open_view()
-    for make, kind in ((lattice, "UnstructuredGridRepresentation"), (image, "UniformGridRepresentation")):
-        display = show(source_of(make((2, 2, 2), lambda x, y, z: x)), view, ARRAY, kind=kind)
+    for data, kind, association in ((lattice((2, 2, 2), field), "UnstructuredGridRepresentation", "POINTS"),
+                                    (curvilinear((2, 2, 2), field), "StructuredGridRepresentation", "POINTS"),
+                                    (adaptive()[0], "AMRRepresentation", "CELLS"),
+                                    (trees()[0], "HyperTreeGridRepresentation", "CELLS"),
+                                    (image((2, 2, 2), field), "UniformGridRepresentation", "POINTS")):
+        display = show(source_of(data), view, ARRAY, association, kind)
         groups = check_groups(display.SMProxy)
         check_tooltips(display.SMProxy)
         check_ranges(display.SMProxy)

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Curvilinear grids, adaptive meshes and trees, and the same cells as unstructured grids."""
+import math
+
+from lattices import at_points, values_of
+from paraview.vtk import (vtkAMRBox, vtkDataSetAttributes, vtkHyperTreeGridNonOrientedGeometryCursor,
+                          vtkOverlappingAMR, vtkPoints, vtkStructuredData, vtkStructuredGrid, vtkUniformGrid,
+                          vtkUnstructuredGrid)
+from paraview.vtk.vtkFiltersCore import vtkAppendFilter
+from paraview.vtk.vtkFiltersSources import vtkRandomHyperTreeGridSource
+
+N = 6  # cubes along each axis of adaptive grids, and of curvilinear ones of which some are hidden
+
+
+def field(x, y, z):
+    return x + 0.3 * y * z
+
+
+def bend(x, y, z):
+    """Around an axis, so that no cell is a box."""
+    angle = 0.25 * x
+    return ((4 + y) * math.sin(angle), (4 + y) * math.cos(angle), z + 0.1 * x * y / N)
+
+
+def curvilinear(sizes, value, origin=(0, 0, 0)):
+    """As lattice(), but bent."""
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(*(n + 1 for n in sizes))
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    planes = [range(first, first + n + 1) for first, n in zip(origin, sizes)]
+    for z in planes[2]:
+        for y in planes[1]:
+            for x in planes[0]:
+                points.InsertNextPoint(bend(x, y, z))
+    grid.SetPoints(points)
+    return at_points(grid, value)
+
+
+def hidden(grid):
+    """Without the cells of a corner."""
+    marks = grid.AllocateCellGhostArray()
+    marks.Fill(0)
+    for cell in range(N // 2):
+        marks.SetValue(cell, vtkDataSetAttributes.HIDDENCELL)
+    return grid
+
+
+def unstructured(grid):
+    """The same hexahedra, each with its points."""
+    append = vtkAppendFilter()
+    append.AddInputData(grid)
+    append.Update()
+    copy = vtkUnstructuredGrid()
+    copy.ShallowCopy(append.GetOutput())
+    return copy
+
+
+def grid_of(boxes):
+    """A hexahedron for each (bounds, value)."""
+    append = vtkAppendFilter()
+    for bounds, value in boxes:
+        cell = vtkUniformGrid()
+        cell.SetDimensions(2, 2, 2)
+        cell.SetOrigin(bounds[::2])
+        cell.SetSpacing([high - low for low, high in zip(bounds[::2], bounds[1::2])])
+        append.AddInputData(values_of(cell, [value], of_cells=True))
+    append.Update()
+    return append.GetOutput()
+
+
+def value_in(bounds):
+    return field(*(0.5 * (low + high) for low, high in zip(bounds[::2], bounds[1::2])))
+
+
+def adaptive():
+    """Cubes of side 2, and of side 1 in the middle: (the mesh, its leaves)."""
+    mesh = vtkOverlappingAMR()
+    mesh.Initialize(2, [1, 1])
+    mesh.SetOrigin([0, 0, 0])
+    mesh.SetGridDescription(vtkStructuredData.GetDataDescription([3, 3, 3]))
+    leaves = []
+    for level, (side, low, high) in enumerate(((2, 0, 2), (1, 2, 3))):
+        mesh.SetSpacing(level, [side] * 3)
+        mesh.SetAMRBox(level, 0, vtkAMRBox([low] * 3, [high] * 3))
+        block = vtkUniformGrid()
+        block.SetDimensions([high - low + 2] * 3)
+        block.SetOrigin([low * side] * 3)
+        block.SetSpacing([side] * 3)
+        boxes = [block.GetCell(cell).GetBounds() for cell in range(block.GetNumberOfCells())]
+        values = [value_in(bounds) for bounds in boxes]
+        mesh.SetDataSet(level, 0, values_of(block, values, of_cells=True))
+        is_leaf = [level == 1 or any(first not in (2, 3) for first in bounds[::2]) for bounds in boxes]
+        leaves += [box for box, leaf in zip(zip(boxes, values), is_leaf) if leaf]
+    mesh.SetRefinementRatio(0, 2)
+    mesh.GenerateParentChildInformation()
+    return mesh, grid_of(leaves)
+
+
+def leaves_below(cursor):
+    """The (number, bounds) of each."""
+    if cursor.IsLeaf():
+        bounds = [0.0] * 6
+        cursor.GetBounds(bounds)
+        return [(cursor.GetGlobalNodeIndex(), bounds)]
+    leaves = []
+    for child in range(cursor.GetNumberOfChildren()):
+        cursor.ToChild(child)
+        leaves += leaves_below(cursor)
+        cursor.ToParent()
+    return leaves
+
+
+def trees():
+    """Of random depths: (the trees, their leaves)."""
+    source = vtkRandomHyperTreeGridSource()
+    source.SetDimensions(3, 3, 3)
+    source.SetOutputBounds(0, N, 0, N, 0, N)
+    source.SetMaxDepth(3)
+    source.SetSeed(1)
+    source.Update()
+    grid = source.GetHyperTreeGridOutput()
+    leaves = []
+    for tree in range(grid.GetMaxNumberOfTrees()):
+        cursor = vtkHyperTreeGridNonOrientedGeometryCursor()
+        grid.InitializeNonOrientedGeometryCursor(cursor, tree)
+        leaves += leaves_below(cursor)
+    values = [0.0] * grid.GetNumberOfCells()
+    for number, bounds in leaves:
+        values[number] = value_in(bounds)
+    return values_of(grid, values, of_cells=True), grid_of([(bounds, values[number]) for number, bounds in leaves])

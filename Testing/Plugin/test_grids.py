@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Curvilinear grids, adaptive meshes and trees in ParaView: the pictures of the same cells as unstructured grids."""
+from lattices import ARRAY, blocks, source_of
+from other_grids import N, adaptive, curvilinear, field, hidden, trees, unstructured
+from paraview import simple
+from views import (brightness, difference, figure_of, load_plugin, mapper_of, open_view, parse_arguments, picture_of,
+                   set_all, show)
+
+SEEN = 5  # of 255, in the mean
+
+
+def draw(view, data, kind, association, file=None):
+    source = source_of(data)
+    display = show(source, view, ARRAY, association, kind + "Representation")
+    simple.GetColorTransferFunction(ARRAY).RGBPoints = [0.0, 0.1, 0.2, 0.9, 9.0, 0.9, 0.8, 0.1]
+    simple.GetOpacityTransferFunction(ARRAY).Points = [0.0, 0.1, 0.5, 0.0, 9.0, 0.6, 0.5, 0.0]
+    display.ScalarOpacityUnitDistance = 2.0
+    view.ResetCamera()
+    pictures = [picture_of(view)]
+    if file:
+        simple.SaveScreenshot(file, view)
+    assert mapper_of(display).GetClassName() == "vtkTetMarchVolumeMapper"
+    assert figure_of(display, "NumberOfTetrahedra") > 0
+    set_all(display, {"Shade": 1, "UseCropping": 1, "CroppingScale": [1.0, 1.0, 0.5]})
+    pictures.append(picture_of(view))
+    simple.Delete(source)
+    return pictures
+
+
+def main():
+    arguments = parse_arguments(__doc__)
+    load_plugin(arguments)
+    view = open_view()
+    view.CameraPosition, view.CameraFocalPoint = [-20, -15, 18], [2, 4, 3]
+    view.CameraViewUp = [0, 0, 1]
+    whole = curvilinear((N, N, N), field)
+    halves = [curvilinear((N // 2, N, N), field, (first, 0, 0)) for first in (0, N // 2)]
+    mesh, leaves = adaptive()
+    grid_of_trees, leaves_of_trees = trees()
+    cases = {
+        "curvilinear": (whole, "StructuredGrid", "POINTS", unstructured(whole)),
+        "blanked": (hidden(curvilinear((N, N, N), field)), "StructuredGrid", "POINTS", hidden(unstructured(whole))),
+        "blocks of it": (blocks(left=halves[0], right=halves[1]), "StructuredGrid", "POINTS", unstructured(whole)),
+        "adaptive": (mesh, "AMR", "CELLS", leaves),
+        "trees": (grid_of_trees, "HyperTreeGrid", "CELLS", leaves_of_trees),
+        "blocks of trees": (blocks(one=grid_of_trees), "HyperTreeGrid", "CELLS", leaves_of_trees),
+    }
+    for name, (data, kind, association, same) in cases.items():
+        file = arguments.pictures and f"{arguments.pictures}/{name}.png"
+        drawn = draw(view, data, kind, association, file)
+        expected = draw(view, same, "UnstructuredGrid", association)
+        for words, picture, other in zip(("plain", "lit and cut"), drawn, expected):
+            share = difference(picture, other)
+            print(f"{name}, {words}: brightness {brightness(picture):.1f}, {100 * share:.2f} % of the pixels differ")
+            assert brightness(picture) > SEEN, f"{name} is not to be seen"
+            assert share < 0.001, f"{name}: another picture"
+        assert difference(*drawn) > 0.05, f"{name}: neither lit nor cut"
+
+
+main()
