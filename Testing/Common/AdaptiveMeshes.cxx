@@ -9,7 +9,9 @@
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPoints.h"
+#include "vtkStructuredData.h"
 #include "vtkUniformGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +22,12 @@ namespace tetmarch::testing
 namespace
 {
 constexpr int Coarse = 4; // cells along an edge of the cube; twice as many on each further level
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 6, 0)
+using BlockCount = int;
+#else
+using BlockCount = unsigned int;
+#endif
 
 struct Box
 {
@@ -93,15 +101,20 @@ double finestValue(const Field& field, const std::array<int, 3>& fine)
 vtkSmartPointer<vtkOverlappingAMR> adaptiveMesh(const Field& field)
 {
   auto mesh = vtkSmartPointer<vtkOverlappingAMR>::New();
-  std::array<int, 3> counts{};
+  std::array<BlockCount, 3> counts{};
   for (const Box& box : Boxes)
   {
     ++counts[box.Level];
   }
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 6, 0)
   mesh->Initialize(3, counts.data());
+#else
+  mesh->Initialize({ counts.begin(), counts.end() });
+#endif
   const double origin[3] = { 0, 0, 0 };
   mesh->SetOrigin(origin);
-  mesh->SetGridDescription(VTK_XYZ_GRID);
+  int points[3] = { 2, 2, 2 }; // of three axes
+  mesh->SetGridDescription(vtkStructuredData::GetDataDescription(points));
   std::array<unsigned int, 3> next{};
   for (const Box& box : Boxes)
   {
