@@ -1,4 +1,5 @@
 // The tetrahedra of a curvilinear grid follow from i, j, k (Mesh/CurvilinearCells.h). As tet/packed_cells.glsl.
+// Without a choice by `?:` where there is another way: SwiftShader needs minutes to compile a dozen of them.
 
 // A face seen from the ray's side; the numbers of half-faces are those of packed cells.
 struct Side
@@ -20,17 +21,14 @@ struct Path
 
 bool isOutside(uint halfFace) { return halfFace >= LINK_OUTSIDE; }
 
-int ofAxis(ivec3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
-
 Path pathOf(int number)
 {
   Path path;
   path.turn = number & 1;
   path.first = number >> 1;
-  int next = path.first == 2 ? 0 : path.first + 1;
-  int previous = path.first == 0 ? 2 : path.first - 1;
-  path.second = path.turn == 0 ? next : previous;
-  path.last = path.turn == 0 ? previous : next;
+  path.second = path.first + 1 + path.turn;
+  path.second = path.second - 3 * int(path.second > 2);
+  path.last = 3 - path.first - path.second;
   return path;
 }
 
@@ -40,7 +38,7 @@ int quotientOf(int n, int divisor, float reciprocal)
   int q = int(float(n) * reciprocal);
   q = q + int(floor(float(n - q * divisor) * reciprocal));
   int rest = n - q * divisor;
-  return q + (rest < 0 ? -1 : (rest >= divisor ? 1 : 0));
+  return q - int(rest < 0) + int(rest >= divisor);
 }
 
 Side sideFrom(uint link, uint ahead)
@@ -65,8 +63,8 @@ uint apexOf(uvec4 cell, Side side, uvec3 ids)
   ivec3 strides = ivec3(1, count.x + 1, (count.x + 1) * (count.y + 1));
   int lowest = side.cell.x + strides.y * side.cell.y + strides.z * side.cell.z;
   int highest = lowest + strides.x + strides.y + strides.z;
-  int second = lowest + ofAxis(strides, path.first);
-  int third = highest - ofAxis(strides, path.last);
+  int second = lowest + strides[path.first];
+  int third = highest - strides[path.last];
   return uint(lowest ^ second ^ third ^ highest) ^ ids.x ^ ids.y ^ ids.z;
 }
 
@@ -85,20 +83,20 @@ Side sideBehind(uvec4 cell, Side side, uint face)
 {
   Path path = pathOf(side.path);
   ivec3 count = hexahedraAlong();
-  bool within = face == 1u || face == 2u;
-  int axis = face == 0u ? path.first : path.last;
-  int step = within ? 0 : (face == 0u ? 1 : -1);
-  int first = face < 2u ? path.second : (face == 2u ? path.first : path.last);
+  int f = int(face);
+  int within = int(f == 1 || f == 2);
+  int axis = ivec4(path.first, path.last, path.last, path.last)[f];
+  int step = int(f == 0) - int(f == 3);
+  int first = ivec4(path.second, path.second, path.first, path.last)[f];
   Side behind;
   behind.link = (side.ahead & ~3u) + face;
-  behind.path = 2 * first + (within ? 1 - path.turn : path.turn);
-  behind.cell = side.cell +
-    ivec3(axis == 0 ? step : 0, axis == 1 ? step : 0, axis == 2 ? step : 0);
-  int place = ofAxis(behind.cell, axis);
-  int stride = axis == 0 ? 1 : (axis == 1 ? count.x : count.x * count.y);
+  behind.path = 2 * first + abs(within - path.turn);
+  behind.cell = side.cell + step * ivec3(equal(ivec3(axis, axis, axis), ivec3(0, 1, 2)));
+  int place = behind.cell[axis];
+  int stride = ivec3(1, count.x, count.x * count.y)[axis];
   int ahead = int(side.ahead & ~3u) + 4 * (6 * step * stride + behind.path - side.path) +
-    (within ? int(face) : 3 - int(face));
-  behind.ahead = place < 0 || place >= ofAxis(count, axis) ? LINK_OUTSIDE : uint(ahead);
+    within * (2 * f - 3) + 3 - f;
+  behind.ahead = place < 0 || place >= count[axis] ? LINK_OUTSIDE : uint(ahead);
   return behind;
 }
 
@@ -114,7 +112,7 @@ int boundaryFaceAhead(Side side)
   int u = axis == 2 ? 0 : axis + 1;
   int v = axis == 0 ? 2 : axis - 1;
   int number = hexahedraCounts[3 + 2 * axis + upper] +
-    2 * (ofAxis(left.cell, u) + ofAxis(count, u) * ofAxis(left.cell, v)) + path.turn;
+    2 * (left.cell[u] + count[u] * left.cell[v]) + path.turn;
   return int(fetchBoundaryOrder(number));
 }
 #endif

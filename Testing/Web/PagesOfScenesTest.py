@@ -44,8 +44,6 @@ SCENES = {
 # arithmetic, and shows the picture alone. Light within a tolerance takes browsers without a GPU minutes.
 IN_NO_PAGE = {"ENTRY_LISTS", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION",
               "SHOW_GRADIENTS", "SPLIT_CELLS", "LIGHT_TOLERANCE"}
-# SwiftShader compiles the shader of computed cells for more than five minutes.
-NOT_IN_SWIFTSHADER = {"CURVILINEAR"}
 
 
 def draw(program, tests):
@@ -116,7 +114,6 @@ class PagesOfScenes:
         scenes = [page for pages in DRAWN.values() for page in pages]
         if self.which[1] == "swiftshader":  # it rounds the corners of triangles to another grid: SurfacesTest.py
             scenes = [page for page in scenes if not any(step["surfaces"] for step in steps_of(page))]
-            scenes = [page for page in scenes if not features_of(page) & NOT_IN_SWIFTSHADER]
         for page, wrong, _ in checked(hard + (scenes if ALL else covering(scenes)), self.which):
             with self.subTest(page=page.stem):
                 self.assertEqual(wrong, [])
