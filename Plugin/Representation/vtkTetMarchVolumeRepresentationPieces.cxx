@@ -8,7 +8,6 @@
 #include "RegionPlanes.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDummyController.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"

@@ -13,8 +13,8 @@ import statistics
 import time
 
 from lattices import ARRAY, source_of, values_of
+from other_grids import block_of, overlapping
 from paraview import simple
-from paraview.vtk import vtkAMRBox, vtkOverlappingAMR, vtkStructuredData, vtkUniformGrid
 from views import load_plugin, open_view, picture_of
 
 SIDE = 4  # cells of a level along the edge of a block that is refined
@@ -34,15 +34,11 @@ def meets_shell(low, width):
     return nearest <= RADIUS <= farthest
 
 
-def block_of(width, low, count):
-    """Cells of this width from `low` on."""
-    block = vtkUniformGrid()
-    block.SetDimensions([count + 1] * 3)
-    block.SetOrigin([width * a for a in low])
-    block.SetSpacing([width] * 3)
-    numbers = itertools.product(range(count), repeat=3)  # the last one, x, fastest
-    return values_of(block, [value_at(*(width * (a + b + 0.5) for a, b in zip(low, (x, y, z)))) for z, y, x in numbers],
-                     of_cells=True)
+def filled(width, low, count):
+    """A block whose cells have the value at their centres."""
+    centers = ([width * (a + b + 0.5) for a, b in zip(low, (x, y, z))]
+               for z, y, x in itertools.product(range(count), repeat=3))
+    return values_of(block_of(width, low, count), [value_at(*center) for center in centers], of_cells=True)
 
 
 def refined(boxes, width):
@@ -58,20 +54,9 @@ def adaptive(coarsest):
     boxes = [[([0, 0, 0], coarsest)]]
     for width in widths[:-1]:
         boxes.append([(low, 2 * SIDE) for low in refined(boxes[-1], width)])
-    mesh = vtkOverlappingAMR()
-    mesh.Initialize(LEVELS, [len(each) for each in boxes])
-    mesh.SetOrigin([0, 0, 0])
-    mesh.SetGridDescription(vtkStructuredData.GetDataDescription([2, 2, 2]))
-    for level, each in enumerate(boxes):
-        mesh.SetSpacing(level, [widths[level]] * 3)
-        for number, (low, count) in enumerate(each):
-            mesh.SetAMRBox(level, number, vtkAMRBox(low, [a + count - 1 for a in low]))
-            mesh.SetDataSet(level, number, block_of(widths[level], low, count))
-        if level + 1 < LEVELS:
-            mesh.SetRefinementRatio(level, 2)
-    mesh.GenerateParentChildInformation()
+    blocks = [[(filled(width, low, count), low) for low, count in each] for width, each in zip(widths, boxes)]
     hidden = sum(len(each) for each in boxes[1:]) * SIDE**3  # below finer ones
-    return mesh, sum(len(each) * each[0][1] ** 3 for each in boxes) - hidden
+    return overlapping(widths, blocks), sum(len(each) * each[0][1] ** 3 for each in boxes) - hidden
 
 
 def use_functions():

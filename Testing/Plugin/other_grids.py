@@ -5,12 +5,11 @@ import math
 
 from lattices import at_points, values_of
 from paraview.vtk import (vtkAMRBox, vtkDataSetAttributes, vtkHyperTreeGridNonOrientedGeometryCursor,
-                          vtkOverlappingAMR, vtkPoints, vtkStructuredData, vtkStructuredGrid, vtkUniformGrid,
-                          vtkUnstructuredGrid)
+                          vtkOverlappingAMR, vtkPoints, vtkStructuredData, vtkStructuredGrid, vtkUniformGrid)
 from paraview.vtk.vtkFiltersCore import vtkAppendFilter
 from paraview.vtk.vtkFiltersSources import vtkRandomHyperTreeGridSource
 
-N = 6  # cubes along each axis of adaptive grids, and of curvilinear ones of which some are hidden
+N = 6  # side of the adaptive mesh and of the trees; cubes of side 1 along each axis of other grids
 
 
 def field(x, y, z):
@@ -52,9 +51,7 @@ def unstructured(grid):
     append = vtkAppendFilter()
     append.AddInputData(grid)
     append.Update()
-    copy = vtkUnstructuredGrid()
-    copy.ShallowCopy(append.GetOutput())
-    return copy
+    return append.GetOutput()
 
 
 def grid_of(boxes):
@@ -74,28 +71,44 @@ def value_in(bounds):
     return field(*(0.5 * (low + high) for low, high in zip(bounds[::2], bounds[1::2])))
 
 
+def block_of(width, low, count):
+    """`count` cells of this width along each axis, from cell `low` on."""
+    block = vtkUniformGrid()
+    block.SetDimensions([count + 1] * 3)
+    block.SetOrigin([width * a for a in low])
+    block.SetSpacing([width] * 3)
+    return block
+
+
+def overlapping(widths, blocks):
+    """A mesh from 0 on, each level half as wide as the one before, of (block, its first cell) on each level."""
+    mesh = vtkOverlappingAMR()
+    mesh.Initialize(len(widths), [len(each) for each in blocks])
+    mesh.SetOrigin([0, 0, 0])
+    mesh.SetGridDescription(vtkStructuredData.GetDataDescription([2, 2, 2]))
+    for level, (width, each) in enumerate(zip(widths, blocks)):
+        mesh.SetSpacing(level, [width] * 3)
+        for number, (block, low) in enumerate(each):
+            last = [a + points - 2 for a, points in zip(low, block.GetDimensions())]
+            mesh.SetAMRBox(level, number, vtkAMRBox(low, last))
+            mesh.SetDataSet(level, number, block)
+        if level + 1 < len(widths):
+            mesh.SetRefinementRatio(level, 2)
+    mesh.GenerateParentChildInformation()
+    return mesh
+
+
 def adaptive():
     """Cubes of side 2, and of side 1 in the middle: (the mesh, its leaves)."""
-    mesh = vtkOverlappingAMR()
-    mesh.Initialize(2, [1, 1])
-    mesh.SetOrigin([0, 0, 0])
-    mesh.SetGridDescription(vtkStructuredData.GetDataDescription([3, 3, 3]))
-    leaves = []
-    for level, (side, low, high) in enumerate(((2, 0, 2), (1, 2, 3))):
-        mesh.SetSpacing(level, [side] * 3)
-        mesh.SetAMRBox(level, 0, vtkAMRBox([low] * 3, [high] * 3))
-        block = vtkUniformGrid()
-        block.SetDimensions([high - low + 2] * 3)
-        block.SetOrigin([low * side] * 3)
-        block.SetSpacing([side] * 3)
+    blocks, leaves = [], []
+    for level, (side, low, count) in enumerate(((2, 0, 3), (1, 2, 2))):
+        block = block_of(side, [low] * 3, count)
         boxes = [block.GetCell(cell).GetBounds() for cell in range(block.GetNumberOfCells())]
         values = [value_in(bounds) for bounds in boxes]
-        mesh.SetDataSet(level, 0, values_of(block, values, of_cells=True))
+        blocks.append([(values_of(block, values, of_cells=True), [low] * 3)])
         is_leaf = [level == 1 or any(first not in (2, 3) for first in bounds[::2]) for bounds in boxes]
         leaves += [box for box, leaf in zip(zip(boxes, values), is_leaf) if leaf]
-    mesh.SetRefinementRatio(0, 2)
-    mesh.GenerateParentChildInformation()
-    return mesh, grid_of(leaves)
+    return overlapping((2, 1), blocks), grid_of(leaves)
 
 
 def leaves_below(cursor):
