@@ -4,7 +4,8 @@
 # if there is none.
 include("${CMAKE_CURRENT_LIST_DIR}/SettingsXml.cmake")
 set(tetmarch_server_manager_xml
-  "${CMAKE_CURRENT_SOURCE_DIR}/Representation/LastFrame.xml" "${CMAKE_CURRENT_SOURCE_DIR}/Representation/WebPage.xml")
+  "${CMAKE_CURRENT_SOURCE_DIR}/Representation/DualGrid.xml" "${CMAKE_CURRENT_SOURCE_DIR}/Representation/LastFrame.xml"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Representation/WebPage.xml")
 
 function (tetmarch_add_server_manager_xml name kind)
   tetmarch_settings_xml("${kind}")

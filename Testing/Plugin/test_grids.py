@@ -3,20 +3,25 @@
 """Curvilinear grids, adaptive meshes and trees in ParaView: the pictures of the same cells as unstructured grids."""
 from lattices import ARRAY, blocks, source_of
 from other_grids import N, adaptive, curvilinear, field, hidden, trees, unstructured
-from paraview import simple
+from paraview import servermanager, simple
 from views import (brightness, difference, figure_of, load_plugin, mapper_of, open_view, parse_arguments, picture_of,
                    set_all, show)
 
 SEEN = 5  # of 255, in the mean
 
 
-def draw(view, data, kind, association, file=None):
-    source = source_of(data)
+def show_in(view, source, kind, association):
     display = show(source, view, ARRAY, association, kind + "Representation")
     simple.GetColorTransferFunction(ARRAY).RGBPoints = [0.0, 0.1, 0.2, 0.9, 9.0, 0.9, 0.8, 0.1]
     simple.GetOpacityTransferFunction(ARRAY).Points = [0.0, 0.1, 0.5, 0.0, 9.0, 0.6, 0.5, 0.0]
     display.ScalarOpacityUnitDistance = 2.0
     view.ResetCamera()
+    return display
+
+
+def draw(view, data, kind, association, file=None):
+    source = source_of(data)
+    display = show_in(view, source, kind, association)
     pictures = [picture_of(view)]
     if file:
         simple.SaveScreenshot(file, view)
@@ -26,6 +31,22 @@ def draw(view, data, kind, association, file=None):
     pictures.append(picture_of(view))
     simple.Delete(source)
     return pictures
+
+
+def check_between_leaves(view, data, kind):
+    """The filter makes values of leaves those of points, between which they are continuous."""
+    source = source_of(data)
+    dual = servermanager.filters.TetMarchDualGrid(Input=source)
+    dual.UpdatePipeline()
+    assert dual.GetPointDataInformation().GetArray(ARRAY), "the filter gives no values of points"
+    pictures = []
+    for shown, shown_as, association in ((dual, "UnstructuredGrid", "POINTS"), (source, kind, "CELLS")):
+        show_in(view, shown, shown_as, association)
+        pictures.append(picture_of(view))
+        simple.Hide(shown, view)
+    assert brightness(pictures[0]) > SEEN, "cells between leaves are not to be seen"
+    assert difference(*pictures) > 0.05, "cells between leaves look like leaves"
+    simple.Delete(source)
 
 
 def main():
@@ -56,6 +77,8 @@ def main():
             assert brightness(picture) > SEEN, f"{name} is not to be seen"
             assert share < 0.001, f"{name}: another picture"
         assert difference(*drawn) > 0.05, f"{name}: neither lit nor cut"
+    for data, kind in ((mesh, "AMR"), (grid_of_trees, "HyperTreeGrid")):
+        check_between_leaves(view, data, kind)
 
 
 main()

@@ -34,10 +34,10 @@ class ApiTest(unittest.TestCase):
         self.assertIn("marching rays", vtkTetMarchVolumeMapper.__doc__)
         self.assertIn("marching rays", vtktetmarch.__doc__)
         self.assertEqual(CLASSES,
-                         ["vtkTetMarchFirstPicture", "vtkTetMarchFrameStatistics", "vtkTetMarchImageReader",
-                          "vtkTetMarchLegend", "vtkTetMarchObjectFactory", "vtkTetMarchProjectedTetrahedraMapper",
-                          "vtkTetMarchSettings", "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper",
-                          "vtkTetMarchWebExporter"])
+                         ["vtkTetMarchDualGrid", "vtkTetMarchFirstPicture", "vtkTetMarchFrameStatistics",
+                          "vtkTetMarchImageReader", "vtkTetMarchLegend", "vtkTetMarchObjectFactory",
+                          "vtkTetMarchProjectedTetrahedraMapper", "vtkTetMarchSettings",
+                          "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper", "vtkTetMarchWebExporter"])
 
     def test_base_classes(self):
         mapper = vtkTetMarchVolumeMapper()

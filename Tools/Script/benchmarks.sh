@@ -62,11 +62,13 @@ bench_pixels() {
     "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_pixels.py" "$BUILD/pixels" "$@"
 }
 
-# Curvilinear grids beside other ways to draw them.
+# Curvilinear grids and an adaptive mesh beside other ways to draw them.
 bench_grids() {
   build vtkRenderingTetMarchPython
   PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
     "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_grids.py" "$BUILD/grids" "$@"
+  PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
+    "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_leaves.py" "$BUILD/grids"
 }
 
 # Accuracy and time of light. With --picture FILE, only the picture of its page is drawn.

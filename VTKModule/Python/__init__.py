@@ -17,6 +17,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from .first_picture import TransferFunctions, auto_transfer_functions
 from .replacement import replace_smart_volume_mapper, replace_unstructured_mappers
 from .vtkRenderingTetMarch import (
+    vtkTetMarchDualGrid,
     vtkTetMarchFirstPicture,
     vtkTetMarchFrameStatistics,
     vtkTetMarchImageReader,
@@ -62,6 +63,7 @@ __all__ = [
     "statistics",
     "time_values",
     "volume",
+    "vtkTetMarchDualGrid",
     "vtkTetMarchFirstPicture",
     "vtkTetMarchFrameStatistics",
     "vtkTetMarchImageReader",

@@ -11,6 +11,7 @@ from vtkmodules.vtkRenderingCore import (vtkAbstractVolumeMapper, vtkCamera, vtk
 
 from .protocols import LikeDataArray, LikeMesh
 from .vtkRenderingTetMarch import (
+    vtkTetMarchDualGrid as vtkTetMarchDualGrid,
     vtkTetMarchFirstPicture as vtkTetMarchFirstPicture,
     vtkTetMarchFrameStatistics as vtkTetMarchFrameStatistics,
     vtkTetMarchImageReader as vtkTetMarchImageReader,

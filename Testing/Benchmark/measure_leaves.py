@@ -1,0 +1,189 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""An adaptive mesh beside an image of its finest cells: measure_leaves.py FOLDER [--cells N] [--size WxH] [--frames N]
+
+Cells are refined twice around a shell; of the coarsest level there are N along each edge (32). Draws it by turns with
+values that are constant in each leaf and linear between leaves, and the function in all cells of the finest size by
+both of our and VTK's mappers of images. It writes FOLDER/leaves.md: seconds to the first frame and of a frame, bytes of
+our mappers on the GPU, and the difference from the picture of the function, in cells of a quarter of the finest size.
+"""
+import argparse
+import pathlib
+import statistics
+import time
+
+import numpy as np
+import vtkmodules.all as vtk
+from measure_pixels import picture_of
+from measured_page import row
+from time_frames import ENOUGH_FOR_ONE_DRAW, Frames
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtktetmarch import vtkTetMarchDualGrid, vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
+
+SIDE = 4  # cells of a level along the edge of a block that is refined
+LEVELS = 3
+RADIUS = 0.35
+FINER = 4  # cells of the true picture along a finest cell
+
+
+def value_at(centers):
+    """1 on the shell and less away from it, exp(-(d / 0.02)^2) for a distance of d; waves of 0.2 at most."""
+    x, y, z = np.moveaxis(centers, -1, 0)
+    distance = np.linalg.norm(centers - 0.5, axis=-1) - RADIUS
+    return 0.8 * np.exp(-(distance / 0.02)**2) + 0.1 + 0.1 * np.sin(20 * x) * np.cos(15 * y + 10 * z)
+
+
+def block_of(kind, width, low, count):
+    """Cells with the value at their centres, from cell `low` on."""
+    block = kind()
+    block.SetDimensions([count + 1] * 3)
+    block.SetOrigin([width * a for a in low])
+    block.SetSpacing([width] * 3)
+    axes = [width * (a + np.arange(count) + 0.5) for a in low[::-1]]
+    values = np.concatenate([value_at(np.stack(np.meshgrid([z], *axes[1:], indexing="ij")[::-1], axis=-1)).ravel()
+                             for z in axes[0]])
+    array = numpy_to_vtk(values.astype(np.float32), deep=True)
+    array.SetName("f")
+    block.GetCellData().SetScalars(array)
+    return block
+
+
+def meets_shell(low, width):
+    low = np.array(low) * width
+    high = low + SIDE * width
+    nearest = np.linalg.norm(np.clip(0.5, low, high) - 0.5)
+    farthest = np.linalg.norm(np.maximum(0.5 - low, high - 0.5))
+    return nearest <= RADIUS <= farthest
+
+
+def refined(boxes, width):
+    """Low corners, on the next level, of the blocks of these boxes (low, count) that the shell passes through."""
+    return [[2 * (a + SIDE * i) for a, i in zip(low, place)] for low, count in boxes
+            for place in np.ndindex(*[count // SIDE] * 3)
+            if meets_shell([a + SIDE * i for a, i in zip(low, place)], width)]
+
+
+def adaptive(coarsest):
+    """The mesh, and the number of its leaves."""
+    widths = [1 / (coarsest << level) for level in range(LEVELS)]
+    boxes = [[([0, 0, 0], coarsest)]]
+    for width in widths[:-1]:
+        boxes.append([(low, 2 * SIDE) for low in refined(boxes[-1], width)])
+    mesh = vtk.vtkOverlappingAMR()
+    mesh.Initialize(LEVELS, [len(each) for each in boxes])
+    mesh.SetOrigin([0, 0, 0])
+    mesh.SetGridDescription(vtk.VTK_XYZ_GRID)
+    for level, (width, each) in enumerate(zip(widths, boxes)):
+        mesh.SetSpacing(level, [width] * 3)
+        for number, (low, count) in enumerate(each):
+            mesh.SetAMRBox(level, number, vtk.vtkAMRBox(low, [a + count - 1 for a in low]))
+            mesh.SetDataSet(level, number, block_of(vtk.vtkUniformGrid, width, low, count))
+    hidden = sum(len(each) for each in boxes[1:]) * SIDE**3  # below finer ones
+    return mesh, sum(count**3 for each in boxes for _, count in each) - hidden
+
+
+def without_limits(mapper):
+    mapper.SetMaxDrawTimeInSeconds(ENOUGH_FOR_ONE_DRAW)
+    mapper.AutoAdjustSampleDistancesOff()
+    return mapper
+
+
+def constant(mesh, _image):
+    mapper = vtkTetMarchVolumeMapper()
+    mapper.SetInputDataObject(mesh)
+    return without_limits(mapper)
+
+
+def between_centers(mesh, _image):
+    dual = vtkTetMarchDualGrid()
+    dual.SetInputDataObject(mesh)
+    mapper = vtkTetMarchVolumeMapper()
+    mapper.SetInputConnection(dual.GetOutputPort())
+    return without_limits(mapper)
+
+
+def our_image(_mesh, image):
+    mapper = vtkTetMarchSmartVolumeMapper()
+    mapper.SetInputData(image)
+    return without_limits(mapper)
+
+
+def image_of_vtk(_mesh, image):
+    mapper = vtk.vtkOpenGLGPUVolumeRayCastMapper()
+    mapper.SetInputData(image)
+    mapper.SetAutoAdjustSampleDistances(False)
+    mapper.SetSampleDistance(image.GetSpacing()[0] / 2)
+    return mapper
+
+
+WAYS = {
+    "constant in each leaf": constant,
+    "linear between leaves (vtkTetMarchDualGrid)": between_centers,
+    "the image of finest cells, trilinear": our_image,
+    "the same by vtkOpenGLGPUVolumeRayCastMapper, two samples a cell": image_of_vtk,
+}
+
+
+class LeafFrames(Frames):
+    def __init__(self, make, mesh, image, size):
+        begin = time.perf_counter()
+        mapper = make(mesh, image)
+        self.show(mapper, size)
+        colors, opacities = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
+        for scalar, *rgb in ((0.0, 0.1, 0.2, 0.9), (0.5, 0.9, 0.9, 0.9), (1.0, 0.8, 0.1, 0.1)):
+            colors.AddRGBPoint(scalar, *rgb)
+        for scalar, opacity in ((0.0, 0.0), (0.2, 0.02), (1.0, 0.8)):
+            opacities.AddPoint(scalar, opacity)
+        volume_property = self.volume.GetProperty()
+        volume_property.SetColor(colors)
+        volume_property.SetScalarOpacity(opacities)
+        volume_property.SetScalarOpacityUnitDistance(0.05)
+        volume_property.SetInterpolationTypeToLinear()
+        self.camera.SetFocalPoint(0.5, 0.5, 0.5)
+        self.camera.SetPosition(1.6, -1.9, 1.4)
+        self.camera.SetViewUp(0, 0, 1)
+        self.first_position = self.camera.GetPosition()
+        self.seconds(0)
+        self.first = time.perf_counter() - begin
+
+
+
+def measure(cells, size, rounds):
+    mesh, leaves = adaptive(cells)
+    finest = cells << (LEVELS - 1)
+    image = block_of(vtk.vtkImageData, 1 / finest, [0, 0, 0], finest)
+    true = LeafFrames(our_image, mesh, block_of(vtk.vtkImageData, 1 / (FINER * finest), [0, 0, 0], FINER * finest), size)
+    reference = picture_of(true.window)
+    frames = {name: LeafFrames(make, mesh, image, size) for name, make in WAYS.items()}
+    errors = {name: np.sqrt(((picture_of(each.window) - reference)**2).mean()) for name, each in frames.items()}
+    seconds = {name: [] for name in WAYS}
+    for _ in range(rounds):
+        for name, each in frames.items():
+            each.seconds(0)
+            seconds[name].append(each.seconds(1))
+    text = ""
+    for name, each in frames.items():
+        mapper = each.volume.GetMapper()
+        ours = hasattr(mapper, "GetLastFrameStatistics")
+        bytes_of_gpu = mapper.GetLastFrameStatistics().GetGPUMemoryBytes() / leaves if ours else 0
+        text += row([name, f"{each.first:.2f}", f"{statistics.median(seconds[name]):.3f}",
+                     f"{bytes_of_gpu:.0f}" if ours else "", f"{errors[name]:.1e}"])
+    return f"{leaves:,} leaves; the image has {finest}^3 cells\n\n" + row(
+        ["drawn", "first frame, s", "frame, s", "bytes a leaf", "RMS"]) + "|---|" + "---:|" * 4 + "\n" + text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--cells", type=int, default=32)
+    parser.add_argument("--size", default="512x512")
+    parser.add_argument("--frames", type=int, default=7)
+    options = parser.parse_args()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    text = measure(options.cells, [int(n) for n in options.size.split("x")], options.frames)
+    (options.folder / "leaves.md").write_text(text)
+    print(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The leaves of a vtkHyperTreeGrid.
+#include "Leaves/LeafList.h"
+
+#include "Scalars/GhostArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkHyperTreeGridNonOrientedCursor.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace tetmarch
+{
+namespace
+{
+
+class TreeWalk
+{
+public:
+  explicit TreeWalk(vtkHyperTreeGrid* grid)
+    : Branches(static_cast<int>(grid->GetBranchFactor()))
+    , Ghosts(grid->GetGhostCells())
+  {
+  }
+
+  void visit(vtkHyperTreeGridNonOrientedCursor* cursor, const Leaf& box)
+  {
+    const vtkIdType node = cursor->GetGlobalNodeIndex();
+    if (cursor->IsMasked())
+    {
+      this->Found.add(box, false, 0, node);
+    }
+    else if (cursor->IsLeaf())
+    {
+      const bool hidden = this->Ghosts && node < this->Ghosts->GetNumberOfValues() &&
+                          (this->Ghosts->GetValue(node) & HidingCell);
+      this->Found.add(box, !hidden, 0, node);
+      this->LastNode = std::max(this->LastNode, node);
+    }
+    else
+    {
+      for (int child = 0; child < cursor->GetNumberOfChildren(); ++child)
+      {
+        cursor->ToChild(static_cast<unsigned char>(child));
+        this->visit(cursor, this->childOf(box, child));
+        cursor->ToParent();
+      }
+    }
+  }
+
+  LeafList Found;
+  vtkIdType LastNode = -1; // of leaves
+
+private:
+  Leaf childOf(const Leaf& box, int child) const
+  {
+    const int n = this->Branches;
+    const std::array<int, 3> at{ { child % n, child / n % n, child / (n * n) } };
+    Leaf made;
+    for (int a = 0; a < 3; ++a)
+    {
+      made.Size[a] = box.Size[a] / n;
+      made.Low[a] = box.Low[a] + at[a] * made.Size[a];
+    }
+    return made;
+  }
+
+  int Branches;
+  vtkUnsignedCharArray* Ghosts;
+};
+
+std::string checkTree(vtkHyperTreeGrid* grid)
+{
+  if (grid->GetDimension() != 3)
+  {
+    return "The tree has " + std::to_string(grid->GetDimension()) +
+           " dimension(s); only trees in three have an inside.";
+  }
+  const unsigned int* roots = grid->GetCellDims();
+  const double cells =
+    std::pow(grid->GetBranchFactor(), static_cast<double>(grid->GetNumberOfLevels()) - 1);
+  for (int a = 0; a < 3; ++a)
+  {
+    if (!(roots[a] * cells < MostLeafPlaces))
+    {
+      return "The tree is " + std::to_string(roots[a] * cells) +
+             " of its smallest cells wide, more than 2^30: vtkHyperTreeGridDepthLimiter leaves the "
+             "finest levels out.";
+    }
+  }
+  return {};
+}
+
+std::string findAxis(vtkDataArray* coordinates, unsigned int points, LeafAxis& axis)
+{
+  for (unsigned int i = 0; coordinates && i < points; ++i)
+  {
+    if (i < coordinates->GetNumberOfTuples())
+    {
+      axis.Breaks.push_back(coordinates->GetComponent(i, 0));
+    }
+  }
+  bool ascends = axis.Breaks.size() == points;
+  for (std::size_t i = 1; i < axis.Breaks.size(); ++i)
+  {
+    ascends = ascends && axis.Breaks[i] > axis.Breaks[i - 1] && std::isfinite(axis.Breaks[i]);
+  }
+  return ascends && std::isfinite(axis.Breaks.front())
+           ? std::string()
+           : "The tree needs coordinates that ascend along each axis, one for each of its points.";
+}
+
+std::vector<vtkDataArray*> arraysOf(vtkHyperTreeGrid* grid, vtkIdType lastNode)
+{
+  std::vector<vtkDataArray*> arrays;
+  vtkCellData* data = grid->GetCellData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetName() && array->GetNumberOfTuples() > lastNode &&
+        std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) != 0)
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
+} // namespace
+
+std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
+{
+  std::string error = checkTree(grid);
+  std::array<LeafAxis, 3> axes;
+  const std::array<vtkDataArray*, 3> coordinates{ { grid->GetXCoordinates(),
+    grid->GetYCoordinates(), grid->GetZCoordinates() } };
+  const unsigned int* points = grid->GetDimensions();
+  for (int a = 0; a < 3 && error.empty(); ++a)
+  {
+    error = findAxis(coordinates[a], points[a], axes[a]);
+  }
+  if (!error.empty())
+  {
+    return error;
+  }
+  const int width = static_cast<int>(std::lround(
+    std::pow(grid->GetBranchFactor(), static_cast<double>(grid->GetNumberOfLevels()) - 1)));
+  TreeWalk walk(grid);
+  vtkNew<vtkHyperTreeGridNonOrientedCursor> cursor;
+  for (vtkIdType root = 0; root < grid->GetMaxNumberOfTrees(); ++root)
+  {
+    std::array<unsigned int, 3> at{};
+    grid->GetLevelZeroCoordinatesFromIndex(root, at[0], at[1], at[2]);
+    Leaf box;
+    for (int a = 0; a < 3; ++a)
+    {
+      axes[a].CellsBetweenBreaks = width;
+      box.Size[a] = width;
+      box.Low[a] = static_cast<int>(at[a]) * width;
+    }
+    if (grid->GetTree(root))
+    {
+      grid->InitializeNonOrientedCursor(cursor, root);
+      walk.visit(cursor, box);
+    }
+    else
+    {
+      walk.Found.add(box, false, 0, 0);
+    }
+  }
+  leaves = walk.Found.made(std::move(axes), { arraysOf(grid, walk.LastNode) });
+  leaves.ActiveScalars = activeScalarsOf(grid->GetCellData());
+  return leaves.Shown == 0 ? "The tree has no leaf that is drawn." : std::string();
+}
+
+} // namespace tetmarch
