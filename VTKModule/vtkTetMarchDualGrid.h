@@ -8,15 +8,16 @@
  * cells, in three dimensions. vtkTetMarchVolumeMapper draws such values as constant in each leaf;
  * of the output, a vtkUnstructuredGrid with the same values at points, it draws a continuous
  * function. Between the centres of leaves it is linear in tetrahedra, whatever the levels of
- * neighbours are: a linear function is reproduced there to rounding. In the outer halves of leaves
- * at the border of the mesh, or of masked and blanked leaves, values are constant across the
- * border. The cells fill the leaves that are drawn without gaps and overlaps.
+ * neighbours are; where these differ by at most one, a linear function is reproduced to rounding.
+ * In the outer halves of leaves at the border of the mesh, or of masked and blanked leaves, values
+ * are constant across the border. The cells fill the leaves that are drawn without gaps and
+ * overlaps.
  *
  * Where eight leaves of equal size meet, the cell is a hexahedron; elsewhere it is divided into
  * pyramids and tetrahedra by points at the corner, on edges and in faces of leaves (about 40 cells
  * for each corner where levels differ). Their values are weighted means of the leaves around them.
  * All numeric arrays that each block has are passed on, integers rounded; others and ghost arrays
- * are not. Active scalars stay active. The first shown points are the centres of leaves.
+ * are not. Active scalars stay active. The first points are the centres of leaves.
  *
  * Unlike the output of vtkHyperTreeGridToDualGrid, centres of leaves keep their places at the
  * border, and cells don't fold.

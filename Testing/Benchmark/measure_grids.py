@@ -76,11 +76,8 @@ class GridFrames(Frames):
         self.converted = time.perf_counter() - begin
         self.show(mapper, size)
         colors, opacities = functions_of_waves()
-        volume_property = self.volume.GetProperty()
-        volume_property.SetColor(colors)
-        volume_property.SetScalarOpacity(opacities)
-        volume_property.SetScalarOpacityUnitDistance(0.25)
-        volume_property.SetInterpolationTypeToLinear()
+        self.use_functions(colors, opacities, 0.25)
+        self.volume.GetProperty().SetInterpolationTypeToLinear()
         self.camera.SetFocalPoint(*grid.GetCenter())
         self.camera.SetPosition(*(c + 2.2 * d for c, d in zip(grid.GetCenter(), (0.5, -1.0, 0.45))))
         self.camera.SetViewUp(0, 0, 1)

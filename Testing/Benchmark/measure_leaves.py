@@ -134,18 +134,14 @@ class LeafFrames(Frames):
             colors.AddRGBPoint(scalar, *rgb)
         for scalar, opacity in ((0.0, 0.0), (0.2, 0.02), (1.0, 0.8)):
             opacities.AddPoint(scalar, opacity)
-        volume_property = self.volume.GetProperty()
-        volume_property.SetColor(colors)
-        volume_property.SetScalarOpacity(opacities)
-        volume_property.SetScalarOpacityUnitDistance(0.05)
-        volume_property.SetInterpolationTypeToLinear()
+        self.use_functions(colors, opacities, 0.05)
+        self.volume.GetProperty().SetInterpolationTypeToLinear()
         self.camera.SetFocalPoint(0.5, 0.5, 0.5)
         self.camera.SetPosition(1.6, -1.9, 1.4)
         self.camera.SetViewUp(0, 0, 1)
         self.first_position = self.camera.GetPosition()
         self.seconds(0)
         self.first = time.perf_counter() - begin
-
 
 
 def measure(cells, size, rounds):

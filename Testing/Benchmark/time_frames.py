@@ -71,10 +71,7 @@ class Frames:
         mapper.SelectScalarArray(array)
         mapper.SetMaxDrawTimeInSeconds(ENOUGH_FOR_ONE_DRAW)
         self.show(mapper, size)
-        volume_property = self.volume.GetProperty()
-        volume_property.SetColor(colors)
-        volume_property.SetScalarOpacity(opacities)
-        volume_property.SetScalarOpacityUnitDistance(unit_distance)
+        self.use_functions(colors, opacities, unit_distance)
         self.camera.SetFocalPoint(0, 0, 0)
         self.camera.SetPosition(*VIEW_DIRECTION)
         self.camera.SetViewUp(0, 0, 1)
@@ -95,6 +92,12 @@ class Frames:
         self.window.OffScreenRenderingOn()
         self.window.SetSize(*size)
         self.window.AddRenderer(self.renderer)
+
+    def use_functions(self, colors, opacities, unit_distance):
+        volume_property = self.volume.GetProperty()
+        volume_property.SetColor(colors)
+        volume_property.SetScalarOpacity(opacities)
+        volume_property.SetScalarOpacityUnitDistance(unit_distance)
 
     def add_light(self, grid):
         center, diagonal = grid.GetCenter(), grid.GetLength()

@@ -43,11 +43,8 @@ class WireFrames(Frames):
         for scalar, (opacity, *rgb) in ((0.0, fog), (0.2, fog), (1.0, solid)):
             colors.AddRGBPoint(scalar, *rgb)
             opacities.AddPoint(scalar, opacity)
-        appearance = self.volume.GetProperty()
-        appearance.SetColor(colors)
-        appearance.SetScalarOpacity(opacities)
-        appearance.SetScalarOpacityUnitDistance(0.03)
-        appearance.SetInterpolationTypeToLinear()
+        self.use_functions(colors, opacities, 0.03)
+        self.volume.GetProperty().SetInterpolationTypeToLinear()
         self.camera.SetFocalPoint(0, 0, 0)
         self.camera.SetPosition(*VIEW_DIRECTION)
         self.camera.SetViewUp(0, 0, 1)

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace tetmarch
@@ -83,15 +82,8 @@ std::string findLattices(const std::vector<Block>& blocks, std::array<BlockLatti
 std::vector<std::vector<vtkDataArray*>> commonArrays(const std::vector<Block>& blocks)
 {
   std::vector<std::vector<vtkDataArray*>> arrays(blocks.size());
-  vtkCellData* first = blocks.front().Data->GetCellData();
-  for (int i = 0; i < first->GetNumberOfArrays(); ++i)
+  for (vtkDataArray* array : valueArraysOf(blocks.front().Data->GetCellData()))
   {
-    vtkDataArray* array = first->GetArray(i);
-    if (!array || !array->GetName() ||
-        std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0)
-    {
-      continue;
-    }
     const auto fits = [&](const Block& block)
     {
       vtkDataArray* other = block.Data->GetCellData()->GetArray(array->GetName());

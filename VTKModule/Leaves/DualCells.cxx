@@ -25,7 +25,7 @@ public:
     {
       this->isBox(corner) ? this->addBox(corner) : this->addFan(corner);
     }
-    this->Made.Mixed = this->Points.mixed();
+    this->Made.Mixed = this->Points.release();
     return std::move(this->Made);
   }
 

@@ -24,8 +24,9 @@ struct DualCells
  * tetrahedra between the corner, points on the edges and in the faces that meet there, and centres,
  * as in a barycentric subdivision, which can't fold. (Without these points the dual cells of Weber
  * et al., Extraction of Crack-free Isosurfaces from Adaptive Mesh Refinement Data, 2001, fold where
- * levels differ by more than one.) A linear function of the centres is reproduced in the inside. In
- * the outer halves of leaves at the border values are constant across it.
+ * levels differ by more than one.) Where levels of neighbours differ by at most one, a linear
+ * function is reproduced. In the outer halves of leaves at the border values are constant across
+ * it.
  */
 DualCells dualCellsOf(const Leaves& leaves, const std::vector<LeafCorner>& corners);
 

@@ -5,6 +5,8 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 
+#include <cstring>
+
 namespace tetmarch
 {
 
@@ -45,6 +47,21 @@ Leaves LeafList::made(
     leaves.Arrays.push_back(values);
   }
   return leaves;
+}
+
+std::vector<vtkDataArray*> valueArraysOf(vtkCellData* data)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetName() &&
+        std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) != 0)
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
 }
 
 std::string activeScalarsOf(vtkCellData* data)

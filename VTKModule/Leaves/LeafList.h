@@ -40,6 +40,8 @@ private:
   std::vector<Leaf> Hidden;
 };
 
+/** The named arrays of numbers, but that of ghost cells. */
+std::vector<vtkDataArray*> valueArraysOf(vtkCellData* data);
 /** The name of the active scalars, or an empty string. */
 std::string activeScalarsOf(vtkCellData* data);
 

@@ -58,7 +58,8 @@ public:
   int pointIn(const SharedFace& face);
 
   Vector3 positionOf(int point) const;
-  const std::vector<MixedPoint>& mixed() const { return this->Mixed; }
+  /** Gives the mixed points away. */
+  std::vector<MixedPoint> release() { return std::move(this->Mixed); }
 
 private:
   Vector3 positionOf(const LeafPlace& place) const;

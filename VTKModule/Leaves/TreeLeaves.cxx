@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace tetmarch
 {
@@ -75,6 +74,12 @@ private:
   vtkUnsignedCharArray* Ghosts;
 };
 
+// Of the smallest cells, along an axis.
+double widthOfRoot(vtkHyperTreeGrid* grid)
+{
+  return std::pow(grid->GetBranchFactor(), static_cast<double>(grid->GetNumberOfLevels()) - 1);
+}
+
 std::string checkTree(vtkHyperTreeGrid* grid)
 {
   if (grid->GetDimension() != 3)
@@ -83,8 +88,7 @@ std::string checkTree(vtkHyperTreeGrid* grid)
            " dimension(s); only trees in three have an inside.";
   }
   const unsigned int* roots = grid->GetCellDims();
-  const double cells =
-    std::pow(grid->GetBranchFactor(), static_cast<double>(grid->GetNumberOfLevels()) - 1);
+  const double cells = widthOfRoot(grid);
   for (int a = 0; a < 3; ++a)
   {
     if (!(roots[a] * cells < MostLeafPlaces))
@@ -118,17 +122,10 @@ std::string findAxis(vtkDataArray* coordinates, unsigned int points, LeafAxis& a
 
 std::vector<vtkDataArray*> arraysOf(vtkHyperTreeGrid* grid, vtkIdType lastNode)
 {
-  std::vector<vtkDataArray*> arrays;
-  vtkCellData* data = grid->GetCellData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = data->GetArray(i);
-    if (array && array->GetName() && array->GetNumberOfTuples() > lastNode &&
-        std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) != 0)
-    {
-      arrays.push_back(array);
-    }
-  }
+  std::vector<vtkDataArray*> arrays = valueArraysOf(grid->GetCellData());
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(),
+                 [&](vtkDataArray* array) { return array->GetNumberOfTuples() <= lastNode; }),
+    arrays.end());
   return arrays;
 }
 
@@ -149,8 +146,7 @@ std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
   {
     return error;
   }
-  const int width = static_cast<int>(std::lround(
-    std::pow(grid->GetBranchFactor(), static_cast<double>(grid->GetNumberOfLevels()) - 1)));
+  const int width = static_cast<int>(std::lround(widthOfRoot(grid)));
   TreeWalk walk(grid);
   vtkNew<vtkHyperTreeGridNonOrientedCursor> cursor;
   for (vtkIdType root = 0; root < grid->GetMaxNumberOfTrees(); ++root)
