@@ -71,7 +71,7 @@ fuzz_files() {
   # One file in twenty is opened in the window, where it is built.
   if ninja -C "$BUILD" -t targets all | grep '^TetMarchTryWindow: phony' >/dev/null; then
     build TetMarchTryWindow
-    window=(--window "$BUILD/bin/TetMarchTryWindow" --opened "$(((count + 19) / 20))")
+    window=(--window "$BUILD/bin/TetMarchTryWindow" --opened "$((2 * count))")
   fi
   with_x_server "$SYSTEM_PYTHON" "$ROOT/Testing/Fuzz/Files/fuzz_files.py" --driver "$BUILD/bin/TetMarchTryFiles" \
     --render "$BUILD/bin/tetmarch-render" --each "$count" --drawn "$((2 * count))" --keep "$BUILD/fuzz/files" \

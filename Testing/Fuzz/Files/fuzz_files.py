@@ -118,9 +118,9 @@ def main():
     parser.add_argument("--driver", required=True)
     parser.add_argument("--render", required=True)
     parser.add_argument("--window", type=os.path.abspath, help="TetMarchTryWindow; it wants a display")
-    parser.add_argument("--each", type=int, default=100, help="files of each kind")
+    parser.add_argument("--each", type=int, default=40, help="files of each kind")
     parser.add_argument("--drawn", type=int, default=30, help="how many in all tetmarch-render draws")
-    parser.add_argument("--opened", type=int, default=1, help="how many of each kind the window opens")
+    parser.add_argument("--opened", type=int, default=12, help="how many in all the window opens")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", nargs="*", help="kinds")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for what was found")
@@ -148,9 +148,8 @@ def main():
                 found.append((kind, path, f"tetmarch-render {wrong}"))
         if arguments.window:
             chance = random.Random(f"{arguments.seed} window")
-            opened = [case for kind in kinds if kind != "preset"  # which no window opens
-                      for case in chance.sample([case for case in cases if case[0] == kind],
-                                                min(arguments.opened, arguments.each))]
+            openable = [case for case in cases if case[0] != "preset"]
+            opened = chance.sample(openable, min(arguments.opened, len(openable)))
             sound = [originals[kind] for kind in kinds if kind != "preset"]
             for path, result in zip(sound, open_in_window(arguments.window, sound, folder)):
                 assert result[0] == "read", f"the sound file {path} in the window: {result}"
