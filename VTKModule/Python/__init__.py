@@ -26,6 +26,7 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchProjectedTetrahedraMapper,
     vtkTetMarchSettings,
     vtkTetMarchSmartVolumeMapper,
+    vtkTetMarchTessellator,
     vtkTetMarchVolumeMapper,
     vtkTetMarchWebExporter,
 )
@@ -72,6 +73,7 @@ __all__ = [
     "vtkTetMarchProjectedTetrahedraMapper",
     "vtkTetMarchSettings",
     "vtkTetMarchSmartVolumeMapper",
+    "vtkTetMarchTessellator",
     "vtkTetMarchVolumeMapper",
     "vtkTetMarchWebExporter",
 ]

@@ -20,6 +20,7 @@ from .vtkRenderingTetMarch import (
     vtkTetMarchProjectedTetrahedraMapper as vtkTetMarchProjectedTetrahedraMapper,
     vtkTetMarchSettings as vtkTetMarchSettings,
     vtkTetMarchSmartVolumeMapper as vtkTetMarchSmartVolumeMapper,
+    vtkTetMarchTessellator as vtkTetMarchTessellator,
     vtkTetMarchVolumeMapper as vtkTetMarchVolumeMapper,
     vtkTetMarchWebExporter as vtkTetMarchWebExporter,
 )

@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Curved cells in tetrahedra: without gaps and overlaps, and within the tolerance, against the
+// shape functions of the cells.
+#include "Curved/Tessellation.h"
+
+#include "LagrangeGrids.h"
+#include "QuadraticGrids.h"
+
+#include "Geometry/Vector3.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace
+{
+using namespace tetmarch;
+using namespace tetmarch::testing;
+
+double parabola(double x, double y, double z)
+{
+  return 0.2 + 2 * (x - 0.5) * (x - 0.5) - y * z + 0.4 * y * y;
+}
+
+constexpr double Curvature = 0.1;
+
+struct CurvedCase
+{
+  const char* Name;
+  Grid (*Make)(double curvature);
+  bool IsOfDegreeTwo = true; // the parabola is in the space of the shape functions
+};
+
+void PrintTo(const CurvedCase& curved, std::ostream* os) { *os << curved.Name; }
+
+vtkSmartPointer<vtkUnstructuredGrid> cut(
+  vtkUnstructuredGrid* grid, double distance, double value, bool withScalars = true)
+{
+  auto output = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  CurvedTolerance tolerance{ distance, nullptr, {} };
+  if (withScalars)
+  {
+    tolerance.Scalars = grid->GetPointData()->GetScalars();
+    tolerance.Values = { value };
+  }
+  EXPECT_EQ(tessellate(
+              grid, tolerance, [](double) { return true; }, output),
+    "");
+  return output;
+}
+
+std::array<vtkIdType, 4> tetrahedron(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  grid->GetCells()->GetCellAtId(cell, ids);
+  EXPECT_EQ(ids->GetNumberOfIds(), 4);
+  return { { ids->GetId(0), ids->GetId(1), ids->GetId(2), ids->GetId(3) } };
+}
+
+Vector3 pointOf(vtkUnstructuredGrid* grid, vtkIdType id)
+{
+  Vector3 point;
+  grid->GetPoint(id, point.data());
+  return point;
+}
+
+// Each face is of two tetrahedra, or in the surface of the cube; the volumes add up to its own.
+void expectFillsTheCube(vtkUnstructuredGrid* grid)
+{
+  std::map<std::array<vtkIdType, 3>, int> faces;
+  double volume = 0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    std::array<vtkIdType, 4> tet = tetrahedron(grid, cell);
+    const Vector3 first = pointOf(grid, tet[0]);
+    const double sixfold = dot(cross(pointOf(grid, tet[1]) - first, pointOf(grid, tet[2]) - first),
+      pointOf(grid, tet[3]) - first);
+    EXPECT_GT(sixfold, 0) << "cell " << cell;
+    volume += sixfold / 6;
+    std::sort(tet.begin(), tet.end());
+    for (int left = 0; left < 4; ++left)
+    {
+      std::array<vtkIdType, 3> face;
+      std::copy_if(
+        tet.begin(), tet.end(), face.begin(), [&](vtkIdType id) { return id != tet[left]; });
+      ++faces[face];
+    }
+  }
+  EXPECT_NEAR(volume, 1, 1e-9);
+  for (const auto& [face, count] : faces)
+  {
+    bool isInSurface = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      for (const double side : { 0.0, 1.0 })
+      {
+        isInSurface |= std::all_of(face.begin(), face.end(),
+          [&](vtkIdType id) { return std::abs(pointOf(grid, id)[k] - side) < 1e-9; });
+      }
+    }
+    ASSERT_EQ(count, isInSurface ? 1 : 2);
+  }
+}
+
+// The scalar of a cell by its shape functions, at a place in space: parameters by Newton's method.
+class ShapeFunctions
+{
+public:
+  explicit ShapeFunctions(vtkUnstructuredGrid* grid)
+    : Grid(grid)
+  {
+  }
+
+  double valueAt(vtkIdType cell, const Vector3& point)
+  {
+    this->Grid->GetCell(cell, this->Cell);
+    this->Weights.resize(static_cast<std::size_t>(this->Cell->GetNumberOfPoints()));
+    Vector3 at;
+    this->Cell->GetParametricCenter(at.data());
+    for (int i = 0; i < 20; ++i)
+    {
+      constexpr double Step = 1e-6;
+      const Vector3 off = point - this->positionAt(at);
+      std::array<Vector3, 3> columns;
+      for (int k = 0; k < 3; ++k)
+      {
+        Vector3 ahead = at;
+        Vector3 behind = at;
+        ahead[k] += Step;
+        behind[k] -= Step;
+        columns[k] = scaled(0.5 / Step, this->positionAt(ahead) - this->positionAt(behind));
+      }
+      const double whole = dot(columns[0], cross(columns[1], columns[2]));
+      for (int k = 0; k < 3; ++k)
+      {
+        at[k] += dot(off, cross(columns[(k + 1) % 3], columns[(k + 2) % 3])) / whole;
+      }
+    }
+    const Vector3 left = point - this->positionAt(at);
+    EXPECT_LT(dot(left, left), 1e-16);
+    double value = 0;
+    for (std::size_t i = 0; i < this->Weights.size(); ++i)
+    {
+      value += this->Weights[i] * this->Grid->GetPointData()->GetScalars()->GetComponent(
+                                    this->Cell->GetPointId(static_cast<int>(i)), 0);
+    }
+    return value;
+  }
+
+private:
+  Vector3 positionAt(const Vector3& at)
+  {
+    Vector3 position;
+    int part = 0;
+    this->Cell->EvaluateLocation(part, at.data(), position.data(), this->Weights.data());
+    return position;
+  }
+
+  vtkUnstructuredGrid* Grid;
+  vtkNew<vtkGenericCell> Cell;
+  std::vector<double> Weights;
+};
+
+// The greatest difference between the tetrahedra and the cells, at points at random.
+double greatestError(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* tets,
+  const std::vector<vtkIdType>& origins, int samples)
+{
+  std::mt19937 random(1);
+  ShapeFunctions shapes(grid);
+  double greatest = 0;
+  for (int i = 0; i < samples; ++i)
+  {
+    const vtkIdType cell = random() % tets->GetNumberOfCells();
+    double sum = 0;
+    std::array<double, 4> shares;
+    for (double& share : shares)
+    {
+      share = 1e-3 + random() / 4294967296.0;
+      sum += share;
+    }
+    Vector3 point{};
+    double value = 0;
+    const std::array<vtkIdType, 4> tet = tetrahedron(tets, cell);
+    for (int k = 0; k < 4; ++k)
+    {
+      add(shares[k] / sum, pointOf(tets, tet[k]), point);
+      value += shares[k] / sum * tets->GetPointData()->GetScalars()->GetComponent(tet[k], 0);
+    }
+    greatest = std::max(greatest, std::abs(value - shapes.valueAt(origins[cell], point)));
+  }
+  return greatest;
+}
+
+// The same for the parabola in the middles of all edges.
+double greatestErrorOfMiddles(vtkUnstructuredGrid* tets)
+{
+  double greatest = 0;
+  const auto valueOf = [](const Vector3& p) { return parabola(p[0], p[1], p[2]); };
+  for (vtkIdType cell = 0; cell < tets->GetNumberOfCells(); ++cell)
+  {
+    const std::array<vtkIdType, 4> tet = tetrahedron(tets, cell);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector3 begin = pointOf(tets, tet[i]);
+      for (int j = i + 1; j < 4; ++j)
+      {
+        const Vector3 end = pointOf(tets, tet[j]);
+        Vector3 middle = scaled(0.5, begin);
+        add(0.5, end, middle);
+        greatest =
+          std::max(greatest, std::abs(valueOf(middle) - 0.5 * (valueOf(begin) + valueOf(end))));
+      }
+    }
+  }
+  return greatest;
+}
+
+std::vector<vtkIdType> originsOf(vtkUnstructuredGrid* tets)
+{
+  vtkDataArray* array = tets->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::vector<vtkIdType> origins;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    origins.push_back(static_cast<vtkIdType>(array->GetComponent(i, 0)));
+  }
+  return origins;
+}
+
+class CurvedCells : public ::testing::TestWithParam<CurvedCase>
+{
+};
+
+TEST_P(CurvedCells, FillTheCube)
+{
+  for (const double curvature : { 0.0, Curvature })
+  {
+    const Grid grid = GetParam().Make(curvature);
+    for (const double tolerance : { 1.0, 0.02, 0.004 })
+    {
+      SCOPED_TRACE(tolerance);
+      expectFillsTheCube(cut(grid, tolerance, tolerance));
+    }
+  }
+}
+
+// On edges it is the tolerance, and within tetrahedra 1.5 times it.
+TEST_P(CurvedCells, KeepTheToleranceOfScalars)
+{
+  if (!GetParam().IsOfDegreeTwo)
+  {
+    GTEST_SKIP() << "the bound is for quadratic functions";
+  }
+  const Grid grid = GetParam().Make(0);
+  for (const double tolerance : { 0.1, 0.01, 0.001 })
+  {
+    const auto tets = cut(grid, 1, tolerance);
+    const double error = greatestError(grid, tets, originsOf(tets), 1000);
+    EXPECT_LT(error, 1.5 * tolerance);
+    EXPECT_LT(greatestErrorOfMiddles(tets), tolerance * (1 + 1e-9));
+    EXPECT_GT(error, tolerance / 10); // it isn't finer than was asked for
+  }
+}
+
+// What is moved by the tolerance has the value of a place beside it.
+TEST_P(CurvedCells, KeepBothTolerances)
+{
+  constexpr double GreatestGradient = 3; // of the parabola, in cells that bend
+  const Grid grid = GetParam().Make(Curvature);
+  double last = 1;
+  for (const double tolerance : { 0.03, 0.003 })
+  {
+    const auto tets = cut(grid, tolerance, tolerance);
+    const double error = greatestError(grid, tets, originsOf(tets), 1000);
+    EXPECT_LT(error, (1 + GreatestGradient) * tolerance);
+    EXPECT_LT(error, last / 2);
+    last = error;
+  }
+}
+
+// A shape that bends is cut without scalars, too; one that doesn't is one piece for each corner.
+TEST_P(CurvedCells, AreCutByTheirShapeAlone)
+{
+  const Grid straight = GetParam().Make(0);
+  const Grid bent = GetParam().Make(Curvature);
+  const vtkIdType least = cut(straight, 1e-3, 0, false)->GetNumberOfCells();
+  EXPECT_LE(least, 6 * straight->GetNumberOfCells());
+  EXPECT_GT(cut(bent, 1e-3, 0, false)->GetNumberOfCells(), 4 * least);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, CurvedCells,
+  ::testing::Values(
+    CurvedCase{ "Tetrahedra", [](double c) { return quadraticTetLattice(2, c, parabola); } },
+    CurvedCase{ "Hexahedra", [](double c) { return quadraticHexLattice(2, c, parabola); } },
+    CurvedCase{ "HexahedraOf27", [](double c) { return triQuadraticHexLattice(2, c, parabola); } },
+    CurvedCase{ "Wedges", [](double c) { return quadraticWedgeLattice(2, c, parabola); } },
+    CurvedCase{
+      "Pyramids", [](double c) { return quadraticPyramidLattice(2, c, parabola); }, false },
+    CurvedCase{ "LagrangeTetrahedra",
+      [](double c) {
+        return lagrangeLattice(VTK_LAGRANGE_TETRAHEDRON, 2, { { 3, 3, 3 } }, c, parabola);
+      } },
+    CurvedCase{ "LagrangeHexahedra",
+      [](double c) {
+        return lagrangeLattice(VTK_LAGRANGE_HEXAHEDRON, 2, { { 2, 3, 4 } }, c, parabola);
+      } },
+    CurvedCase{ "LagrangeWedges",
+      [](double c) {
+        return lagrangeLattice(VTK_LAGRANGE_WEDGE, 2, { { 3, 3, 2 } }, c, parabola);
+      } }),
+  [](const ::testing::TestParamInfo<CurvedCase>& tested) { return tested.param.Name; });
+
+TEST(Tessellation, EndsWhereItIsToldTo)
+{
+  const Grid grid = quadraticTetLattice(7, Curvature);
+  vtkNew<vtkUnstructuredGrid> output;
+  int calls = 0;
+  EXPECT_EQ(tessellate(
+              grid, { 1e-3, nullptr, {} },
+              [&calls](double done)
+              {
+                EXPECT_LT(done, 1);
+                return ++calls < 2;
+              },
+              output),
+    "");
+  EXPECT_EQ(calls, 2); // of three
+}
+
+// However much they do, and where they are no numbers.
+TEST(Tessellation, EndsWithScalarsOfAnySize)
+{
+  const Grid grid = quadraticTetLattice(1);
+  vtkDataArray* scalars = grid->GetPointData()->GetScalars();
+  scalars->FillComponent(0, 0);
+  scalars->SetComponent(0, 0, 1e9);
+  const auto tets = cut(grid, 1, 1e6);
+  expectFillsTheCube(tets);
+  scalars->SetComponent(0, 0, std::nan(""));
+  expectFillsTheCube(cut(grid, 1, 1e-3));
+}
+
+} // namespace

@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curved/Tessellation.h"
+
+#include "Curved/CellPieces.h"
+#include "Curved/CurvedCell.h"
+#include "Curved/EdgeTable.h"
+#include "Curved/OutputPoints.h"
+#include "Input/CellKind.h"
+#include "Input/GridVersions.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace tetmarch
+{
+namespace
+{
+
+constexpr double TestedAt[] = { 0.25, 0.5, 0.75 };
+// An edge of 1/64 of a cell's is no longer tested: functions that are no polynomials end here.
+constexpr float ShortestTested = 1.0F / 64;
+constexpr vtkIdType CellsBetweenProgress = 1000;
+
+struct CutCell
+{
+  vtkIdType Id;
+  const CurvedShape* Shape;
+  std::vector<Piece> Pieces;
+  EdgeTable InnerEdges; // those in no face
+  bool IsWaiting = true;
+};
+
+class Tessellator
+{
+public:
+  Tessellator(
+    vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance, vtkUnstructuredGrid* output)
+    : Tolerance(tolerance)
+    , Output(output)
+    , Cell(grid, tolerance.Scalars)
+    , Points(grid, tolerance.Scalars, output)
+  {
+    this->Grid->ShallowCopy(grid); // links of points are built in it
+  }
+
+  /** Begins with a cell. */
+  void add(vtkIdType cell, const CurvedShape& shape)
+  {
+    this->Cell.read(cell, shape);
+    std::vector<vtkIdType> ids;
+    for (std::size_t i = 0; i < shape.Corners.size(); ++i)
+    {
+      ids.push_back(this->Points.copyOf(this->Cell.points()->GetId(static_cast<vtkIdType>(i))));
+    }
+    this->Places.emplace(cell, this->Cells.size());
+    this->Waiting.push_back(this->Cells.size());
+    this->Cells.push_back({ cell, &shape, firstPieces(shape, shape.Corners, ids), {} });
+  }
+
+  /** Returns false if the progress says so. */
+  bool refine(const std::function<bool(double)>& progress)
+  {
+    for (vtkIdType done = 0; !this->Waiting.empty(); ++done)
+    {
+      const auto all = static_cast<double>(done) + static_cast<double>(this->Waiting.size());
+      if (done % CellsBetweenProgress == 0 && !progress(static_cast<double>(done) / all))
+      {
+        return false;
+      }
+      CutCell& cell = this->Cells[this->Waiting.front()];
+      this->Waiting.pop_front();
+      cell.IsWaiting = false;
+      this->Cell.read(cell.Id, *cell.Shape);
+      while (this->halve(cell))
+      {
+      }
+    }
+    return true;
+  }
+
+  void write()
+  {
+    for (const CutCell& cell : this->Cells)
+    {
+      for (const Piece& piece : cell.Pieces)
+      {
+        this->write(cell.Id, piece);
+      }
+    }
+  }
+
+  void pass(vtkIdType cell, int type)
+  {
+    vtkNew<vtkIdList> ids;
+    if (type == VTK_POLYHEDRON)
+    {
+      this->Grid->GetFaceStream(cell, ids);
+      vtkIdType place = 1;
+      for (vtkIdType face = 0; face < ids->GetId(0); ++face)
+      {
+        const vtkIdType last = place + ids->GetId(place);
+        for (++place; place <= last; ++place)
+        {
+          ids->SetId(place, this->Points.copyOf(ids->GetId(place)));
+        }
+      }
+    }
+    else
+    {
+      this->Grid->GetCells()->GetCellAtId(cell, ids);
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        ids->SetId(i, this->Points.copyOf(ids->GetId(i)));
+      }
+    }
+    this->Output->InsertNextCell(type, ids);
+    this->Origins->InsertNextValue(cell);
+  }
+
+  void finish()
+  {
+    vtkCellData* attributes = this->Output->GetCellData();
+    attributes->CopyHigherOrderDegreesOff();
+    attributes->CopyGlobalIdsOff();
+    attributes->CopyPedigreeIdsOff();
+    attributes->CopyAllocate(this->Grid->GetCellData(), this->Origins->GetNumberOfValues());
+    for (vtkIdType i = 0; i < this->Origins->GetNumberOfValues(); ++i)
+    {
+      attributes->CopyData(this->Grid->GetCellData(), this->Origins->GetValue(i), i);
+    }
+    this->Origins->SetName("vtkOriginalCellIds");
+    attributes->AddArray(this->Origins);
+    this->Output->GetFieldData()->PassData(this->Grid->GetFieldData());
+    this->Output->Squeeze();
+  }
+
+private:
+  vtkIdType& middle(CutCell& cell, const PieceCorner& a, const PieceCorner& b)
+  {
+    EdgeTable& edges = (a.Faces & b.Faces) != 0 ? this->OuterEdges : cell.InnerEdges;
+    vtkIdType& middle = edges.middle(a.Id, b.Id);
+    if (middle == EdgeTable::Unknown)
+    {
+      middle = EdgeTable::Whole;
+      if (this->leavesTolerance(a, b))
+      {
+        this->setMiddle(cell, a, b, middle);
+      }
+    }
+    return middle;
+  }
+
+  void setMiddle(CutCell& cell, const PieceCorner& a, const PieceCorner& b, vtkIdType& middle)
+  {
+    this->Cell.evaluate(middleOf(a, b, 0).place(), this->Place);
+    middle = this->Points.insert(this->Place, this->Cell.points());
+    this->wakeNeighbors(cell, a.Faces & b.Faces);
+  }
+
+  // The cells that have all these faces' common corners.
+  void wakeNeighbors(const CutCell& cell, int faces)
+  {
+    if (faces == 0)
+    {
+      return;
+    }
+    this->Common->Reset();
+    for (std::size_t corner = 0; corner < cell.Shape->Corners.size(); ++corner)
+    {
+      if ((facesOf(*cell.Shape, static_cast<int>(corner)) & faces) == faces)
+      {
+        this->Common->InsertNextId(this->Cell.points()->GetId(static_cast<vtkIdType>(corner)));
+      }
+    }
+    this->Grid->GetCellNeighbors(cell.Id, this->Common, this->Neighbors);
+    for (vtkIdType i = 0; i < this->Neighbors->GetNumberOfIds(); ++i)
+    {
+      const auto found = this->Places.find(this->Neighbors->GetId(i));
+      if (found != this->Places.end() && !this->Cells[found->second].IsWaiting)
+      {
+        this->Cells[found->second].IsWaiting = true;
+        this->Waiting.push_back(found->second);
+      }
+    }
+  }
+
+  // Returns whether an edge is to be halved that pieces may have which were left whole.
+  bool halve(CutCell& cell)
+  {
+    bool again = false;
+    this->Stack.swap(cell.Pieces);
+    cell.Pieces.clear();
+    while (!this->Stack.empty())
+    {
+      const Piece piece = this->Stack.back();
+      this->Stack.pop_back();
+      bool isToBeHalved = false;
+      for (const auto& ends : PieceEdges)
+      {
+        isToBeHalved |= this->middle(cell, piece[ends[0]], piece[ends[1]]) != EdgeTable::Whole;
+      }
+      if (!isToBeHalved)
+      {
+        cell.Pieces.push_back(piece);
+        continue;
+      }
+      const int* ends = PieceEdges[longestEdge(piece, *cell.Shape)];
+      vtkIdType& middle = this->middle(cell, piece[ends[0]], piece[ends[1]]);
+      if (middle == EdgeTable::Whole)
+      {
+        this->setMiddle(cell, piece[ends[0]], piece[ends[1]], middle);
+        again = true;
+      }
+      const PieceCorner half = middleOf(piece[ends[0]], piece[ends[1]], middle);
+      for (int i = 0; i < 2; ++i)
+      {
+        this->Stack.push_back(piece);
+        this->Stack.back()[ends[i]] = half;
+      }
+    }
+    return again;
+  }
+
+  bool leavesTolerance(const PieceCorner& a, const PieceCorner& b)
+  {
+    const auto isShort = [&](int k) { return std::abs(a.At[k] - b.At[k]) < ShortestTested; };
+    if (isShort(0) && isShort(1) && isShort(2))
+    {
+      return false;
+    }
+    const Vector3 begin = this->Points.position(a.Id);
+    const Vector3 along = this->Points.position(b.Id) - begin;
+    const double length2 = dot(along, along);
+    for (const double t : TestedAt)
+    {
+      Vector3 at = scaled(1 - t, a.place());
+      tetmarch::add(t, b.place(), at);
+      this->Cell.evaluate(at, this->Place);
+      // Its value is compared with that of the nearest point of the straight edge.
+      Vector3 apart = this->Place.Position - begin;
+      const double share = length2 > 0 ? dot(apart, along) / length2 : t;
+      tetmarch::add(-share, along, apart);
+      if (std::sqrt(dot(apart, apart)) > this->Tolerance.Distance)
+      {
+        return true;
+      }
+      for (std::size_t c = 0; c < this->Tolerance.Values.size(); ++c)
+      {
+        const double straight =
+          (1 - share) * this->Points.value(a.Id, c) + share * this->Points.value(b.Id, c);
+        if (std::abs(this->Place.Values[c] - straight) > this->Tolerance.Values[c])
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  void write(vtkIdType cell, const Piece& piece)
+  {
+    std::array<vtkIdType, 4> ids;
+    std::array<Vector3, 4> points;
+    for (int i = 0; i < 4; ++i)
+    {
+      ids[i] = piece[i].Id;
+      points[i] = this->Points.position(ids[i]);
+    }
+    if (dot(cross(points[1] - points[0], points[2] - points[0]), points[3] - points[0]) < 0)
+    {
+      std::swap(ids[1], ids[2]);
+    }
+    this->Output->InsertNextCell(VTK_TETRA, 4, ids.data());
+    this->Origins->InsertNextValue(cell);
+  }
+
+  vtkNew<vtkUnstructuredGrid> Grid;
+  const CurvedTolerance& Tolerance;
+  vtkUnstructuredGrid* Output;
+  CurvedCell Cell; // that is cut
+  OutputPoints Points;
+  EdgeTable OuterEdges;
+  std::vector<CutCell> Cells;
+  std::unordered_map<vtkIdType, std::size_t> Places; // of cells, by their ids
+  std::deque<std::size_t> Waiting;
+  vtkNew<vtkIdTypeArray> Origins; // of the cells of the output
+  CurvedPlace Place;
+  std::vector<Piece> Stack;
+  vtkNew<vtkIdList> Common;
+  vtkNew<vtkIdList> Neighbors;
+};
+
+std::string errorOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
+{
+  const vtkIdType points = grid->GetCells()->GetCellSize(cell);
+  const int wanted = pointsOfCurvedCell(type);
+  if (wanted == 0 || points == wanted)
+  {
+    return {};
+  }
+  return "The offsets of the cell array give cell " + std::to_string(cell) + ", a " +
+         nameOfCellType(type) + ", " + std::to_string(points) + " points; it must have " +
+         std::to_string(wanted) + ". Repair the grid's cell array.";
+}
+
+} // namespace
+
+std::string tessellate(vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance,
+  const std::function<bool(double)>& progress, vtkUnstructuredGrid* output)
+{
+  output->Initialize();
+  output->AllocateExact(grid->GetNumberOfCells(), 4 * grid->GetNumberOfCells());
+  Tessellator tessellator(grid, tolerance, output);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    std::string error = errorOf(grid, cell, type);
+    if (!error.empty())
+    {
+      return error;
+    }
+    if (const CurvedShape* shape = curvedShape(type))
+    {
+      tessellator.add(cell, *shape);
+    }
+    else if (cellKinds()[type].Cut != CellCut::LowDimensional &&
+             cellKinds()[type].Cut != CellCut::Empty)
+    {
+      tessellator.pass(cell, type);
+    }
+  }
+  if (tessellator.refine(progress))
+  {
+    tessellator.write();
+    tessellator.finish();
+  }
+  return {};
+}
+
+} // namespace tetmarch
