@@ -24,7 +24,8 @@
  * cells with straight edges this is a bound: edges keep the tolerance, points within a tetrahedron
  * 1.5 times the tolerance. Else it is an estimate.
  *
- * vtkTessellatorFilter is similar, but takes no triquadratic, Lagrange and Bezier cells.
+ * vtkTessellatorFilter is similar, but compares the middles of edges alone, and takes no
+ * triquadratic, Lagrange and Bezier cells.
  *
  * M.-C. Rivara, Algorithms for refining triangular grids suitable for adaptive and multigrid
  * techniques, 1984 (bisection by the longest edge).

@@ -5,6 +5,7 @@
 include("${CMAKE_CURRENT_LIST_DIR}/SettingsXml.cmake")
 set(tetmarch_server_manager_xml
   "${CMAKE_CURRENT_SOURCE_DIR}/Representation/DualGrid.xml" "${CMAKE_CURRENT_SOURCE_DIR}/Representation/LastFrame.xml"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Representation/Tessellator.xml"
   "${CMAKE_CURRENT_SOURCE_DIR}/Representation/WebPage.xml")
 
 function (tetmarch_add_server_manager_xml name kind)

@@ -4,8 +4,9 @@
 import math
 
 from lattices import at_points, values_of
-from paraview.vtk import (vtkAMRBox, vtkDataSetAttributes, vtkHyperTreeGridNonOrientedGeometryCursor,
-                          vtkOverlappingAMR, vtkPoints, vtkStructuredData, vtkStructuredGrid, vtkUniformGrid)
+from paraview.vtk import (VTK_QUADRATIC_TETRA, vtkAMRBox, vtkDataSetAttributes, vtkOverlappingAMR,
+                          vtkHyperTreeGridNonOrientedGeometryCursor, vtkPoints, vtkStructuredData, vtkStructuredGrid,
+                          vtkUniformGrid, vtkUnstructuredGrid)
 from paraview.vtk.vtkFiltersCore import vtkAppendFilter
 from paraview.vtk.vtkFiltersSources import vtkRandomHyperTreeGridSource
 
@@ -35,6 +36,21 @@ def curvilinear(sizes, value, origin=(0, 0, 0)):
                 points.InsertNextPoint(bend(x, y, z))
     grid.SetPoints(points)
     return at_points(grid, value)
+
+
+def bulging():
+    """One VTK_QUADRATIC_TETRA whose edges bend out; its values are not linear either."""
+    corners = [(0, 0, 0), (N, 0, 0), (0, N, 0), (0, 0, N)]
+    places = corners + [tuple(0.5 * (p + q) for p, q in zip(corners[a], corners[b]))
+                        for a, b in ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))]
+    points = vtkPoints()
+    for place in places:
+        out = 1.0 if place in corners else 1.3
+        points.InsertNextPoint([N / 4 + out * (x - N / 4) for x in place])
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(points)
+    grid.InsertNextCell(VTK_QUADRATIC_TETRA, 10, range(10))
+    return at_points(grid, field)
 
 
 def hidden(grid):

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Curvilinear grids, adaptive meshes and trees in ParaView: the pictures of the same cells as unstructured grids."""
+"""Curvilinear grids, adaptive meshes, trees and curved cells in ParaView: pictures of the same cells in other grids."""
 from lattices import ARRAY, blocks, source_of
-from other_grids import N, adaptive, curvilinear, field, hidden, trees, unstructured
+from other_grids import N, adaptive, bulging, curvilinear, field, hidden, trees, unstructured
 from paraview import servermanager, simple
 from views import (brightness, difference, figure_of, load_plugin, mapper_of, open_view, parse_arguments, picture_of,
                    set_all, show)
@@ -49,6 +49,28 @@ def check_between_leaves(view, data, kind):
     simple.Delete(source)
 
 
+def check_tessellator(view):
+    """A filter cuts a cell that bends, by tolerances that can be set."""
+    source = source_of(bulging())
+    cut = servermanager.filters.TetMarchTessellator(Input=source, GeometryTolerance=1e-3)
+    cut.UpdatePipeline()
+    assert cut.Scalars[1] == ARRAY, "the filter chooses no scalars"
+    cells = [cut.GetDataInformation().GetNumberOfCells()]
+    cut.GeometryTolerance, cut.ScalarTolerance = 1, 1
+    cut.UpdatePipeline()
+    cells.append(cut.GetDataInformation().GetNumberOfCells())
+    assert cells[0] > 100 and cells[1] == 1, f"{cells} tetrahedra"
+    show_in(view, cut, "UnstructuredGrid", "POINTS")
+    pictures = [picture_of(view)]
+    cut.GeometryTolerance = 1e-3
+    pictures.append(picture_of(view))
+    shown = [brightness(picture) for picture in pictures]
+    print(f"a tetrahedron that bulges: brightness {shown[0]:.1f} straight, {shown[1]:.1f} curved")
+    assert shown[1] > 1.2 * shown[0] > 1, "a curved cell is not larger than a straight one"
+    simple.Hide(cut, view)
+    simple.Delete(source)
+
+
 def main():
     arguments = parse_arguments(__doc__)
     load_plugin(arguments)
@@ -79,6 +101,7 @@ def main():
         assert difference(*drawn) > 0.05, f"{name}: neither lit nor cut"
     for data, kind in ((mesh, "AMR"), (grid_of_trees, "HyperTreeGrid")):
         check_between_leaves(view, data, kind)
+    check_tessellator(view)
 
 
 main()

@@ -37,7 +37,8 @@ class ApiTest(unittest.TestCase):
                          ["vtkTetMarchDualGrid", "vtkTetMarchFirstPicture", "vtkTetMarchFrameStatistics",
                           "vtkTetMarchImageReader", "vtkTetMarchLegend", "vtkTetMarchObjectFactory",
                           "vtkTetMarchProjectedTetrahedraMapper", "vtkTetMarchSettings",
-                          "vtkTetMarchSmartVolumeMapper", "vtkTetMarchVolumeMapper", "vtkTetMarchWebExporter"])
+                          "vtkTetMarchSmartVolumeMapper", "vtkTetMarchTessellator", "vtkTetMarchVolumeMapper",
+                          "vtkTetMarchWebExporter"])
 
     def test_base_classes(self):
         mapper = vtkTetMarchVolumeMapper()

@@ -62,13 +62,15 @@ bench_pixels() {
     "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_pixels.py" "$BUILD/pixels" "$@"
 }
 
-# Curvilinear grids and an adaptive mesh beside other ways to draw them.
+# Curvilinear grids (with the options), an adaptive mesh and curved cells beside other ways to draw them.
 bench_grids() {
+  local kind
   build vtkRenderingTetMarchPython
-  PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
-    "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_grids.py" "$BUILD/grids" "$@"
-  PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
-    "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_leaves.py" "$BUILD/grids"
+  for kind in grids leaves curved; do
+    PYTHONPATH="$BUILD/lib/python3/dist-packages" "$SYSTEM_PYTHON" "$ROOT/Testing/Python/with_display.py" \
+      "$SYSTEM_PYTHON" "$ROOT/Testing/Benchmark/measure_$kind.py" "$BUILD/grids" "$@"
+    set --
+  done
 }
 
 # Accuracy and time of light. With --picture FILE, only the picture of its page is drawn.

@@ -1,0 +1,174 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkTetMarchTessellator: curved cells become tetrahedra within a tolerance (in C++: TessellationTest.cxx)."""
+import unittest
+
+import numpy as np
+import vtkmodules.all as vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+import vtktetmarch
+from vtktetmarch.errors import VtkErrors
+
+# The corners of a quadratic tetrahedron, then the points in the middle of its edges.
+ENDS = [(0, 0), (1, 1), (2, 2), (3, 3), (0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
+SIX = [(0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7)]  # of a cube
+
+
+def bent(points):
+    """Of the second degree, so the cells' own shape."""
+    x, y, z = points.T
+    return np.stack([x + 0.2 * y * y, y - 0.2 * x * z, z + 0.15 * x * x], axis=1)
+
+
+def values_of(points):
+    return 4 * (points[:, 0] - 0.5) ** 2 - points[:, 1] * points[:, 2]
+
+
+def curved(bend=bent):
+    """A cube of six VTK_QUADRATIC_TETRA, with "s" at points and "c" in cells."""
+    corners = np.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)], float)
+    places, cells = {}, []
+    for six in SIX:
+        middles = [tuple((corners[six[a]] + corners[six[b]]) / 2) for a, b in ENDS]
+        cells.append([places.setdefault(middle, len(places)) for middle in middles])
+    points = np.array(list(places))
+    grid = vtk.vtkUnstructuredGrid()
+    grid.SetPoints(vtk.vtkPoints())
+    grid.GetPoints().SetData(numpy_to_vtk(bend(points), deep=True))
+    for cell in cells:
+        grid.InsertNextCell(vtk.VTK_QUADRATIC_TETRA, 10, cell)
+    add(grid.GetPointData(), "s", values_of(points))
+    grid.GetPointData().SetActiveScalars("s")
+    add(grid.GetCellData(), "c", np.arange(6.0))
+    return grid
+
+
+def add(attributes, name, values):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    attributes.AddArray(array)
+
+
+def tessellated(data, geometry=1e-3, scalars=1e-3, array=None):
+    made = vtktetmarch.vtkTetMarchTessellator()
+    made.SetInputData(data)
+    made.SetGeometryTolerance(geometry)
+    made.SetScalarTolerance(scalars)
+    if array:
+        made.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
+    made.Update()
+    return made.GetOutput()
+
+
+class ArraysTest(unittest.TestCase):
+    def test_all_are_passed_on(self):
+        data = curved()
+        count = data.GetNumberOfPoints()
+        add(data.GetPointData(), "whole", np.full(count, 7, np.int16))
+        add(data.GetPointData(), "vector", vtk_to_numpy(data.GetPoints().GetData()))
+        add(data.GetPointData(), "vtkGhostType", np.zeros(count, np.uint8))
+        add(data.GetFieldData(), "TimeValue", np.array([3.0]))
+        mesh = tessellated(data)
+        arrays = mesh.GetPointData()
+        self.assertEqual([arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())], ["s", "whole", "vector"])
+        self.assertEqual(arrays.GetScalars().GetName(), "s")
+        self.assertTrue((vtk_to_numpy(arrays.GetArray("whole")) == 7).all())
+        np.testing.assert_allclose(vtk_to_numpy(arrays.GetArray("vector")), vtk_to_numpy(mesh.GetPoints().GetData()),
+                                   atol=1e-12)
+        cells = mesh.GetCellData()
+        np.testing.assert_array_equal(vtk_to_numpy(cells.GetArray("c")),
+                                      vtk_to_numpy(cells.GetArray("vtkOriginalCellIds")))
+        self.assertEqual(set(vtk_to_numpy(cells.GetArray("c"))), set(range(6)))
+        self.assertEqual(mesh.GetFieldData().GetArray("TimeValue").GetValue(0), 3)
+
+    def test_the_named_one_decides(self):
+        data = curved(lambda points: points)
+        add(data.GetPointData(), "flat", np.zeros(data.GetNumberOfPoints()))
+        self.assertEqual(tessellated(data, array="flat").GetNumberOfCells(), 6)
+        self.assertGreater(tessellated(data, array="s").GetNumberOfCells(), 1000)
+        components = np.stack([np.zeros(data.GetNumberOfPoints()), vtk_to_numpy(data.GetPointData().GetArray("s"))], 1)
+        add(data.GetPointData(), "both", components)
+        self.assertEqual(tessellated(data, array="both").GetNumberOfCells(),
+                         tessellated(data, array="s").GetNumberOfCells())
+
+    def test_cells_of_scalars_of_cells_are_cut_by_their_shape(self):
+        data = curved()
+        data.GetPointData().RemoveArray("s")
+        self.assertGreater(tessellated(data).GetNumberOfCells(), 100)
+
+
+class CellsTest(unittest.TestCase):
+    def test_smaller_tolerances_give_more(self):
+        counts = [tessellated(curved(), tolerance, tolerance).GetNumberOfCells() for tolerance in (1, 0.03, 0.003)]
+        self.assertEqual(counts[0], 6)
+        self.assertGreater(counts[1], 10 * counts[0])
+        self.assertGreater(counts[2], 10 * counts[1])
+
+    def test_others_are_passed_on(self):
+        data = curved()
+        first = data.GetNumberOfPoints()
+        for i in range(8):
+            data.GetPoints().InsertNextPoint(5 + (i & 1), i >> 1 & 1, i >> 2)
+        data.GetPointData().Initialize()
+        data.GetCellData().Initialize()
+        data.InsertNextCell(vtk.VTK_VOXEL, 8, range(first, first + 8))
+        data.InsertNextCell(vtk.VTK_LINE, 2, (0, 1))
+        faces = vtk.vtkIdList()
+        for value in (4, 3, 0, 1, 2, 3, 0, 1, 4, 3, 0, 2, 4, 3, 1, 2, 4):
+            faces.InsertNextId(value if faces.GetNumberOfIds() % 4 == 1 or not faces.GetNumberOfIds() else value + first)
+        data.InsertNextCell(vtk.VTK_POLYHEDRON, faces)
+        mesh = tessellated(data)
+        origins = list(vtk_to_numpy(mesh.GetCellData().GetArray("vtkOriginalCellIds")))
+        for cell, kind in ((6, vtk.VTK_VOXEL), (8, vtk.VTK_POLYHEDRON)):
+            self.assertEqual(origins.count(cell), 1)
+            passed = origins.index(cell)
+            self.assertEqual(mesh.GetCellType(passed), kind)
+            np.testing.assert_allclose(mesh.GetCell(passed).GetBounds(), data.GetCell(cell).GetBounds())
+        self.assertEqual(origins.count(7), 0)
+
+
+class PictureTest(unittest.TestCase):
+    def test_the_tolerance_is_kept_in_pictures(self):
+        """Beside one that is far smaller; linear pieces between the points of the cells show what they miss."""
+        pictures = {}
+        for name, data in (("linear", curved()), ("default", vtktetmarch.vtkTetMarchTessellator()),
+                           ("truth", tessellated(curved(), 4e-4, 4e-4))):
+            if name == "default":
+                data.SetInputData(curved())
+            figure = vtktetmarch.figure(data, "s", range=(-1, 1), unit_distance=0.5, size=(150, 120),
+                                        opacity=[(-1, 0.1), (0, 0.3), (1, 0.8)])
+            pictures[name] = figure.screenshot().astype(int)
+            self.assertEqual(figure.mapper.GetNumberOfLostRays(), 0)
+        error = {name: np.sqrt(((picture - pictures["truth"]) ** 2).mean()) for name, picture in pictures.items()}
+        self.assertGreater(np.ptp(pictures["truth"]), 100)
+        self.assertLess(error["default"], 1)
+        self.assertGreater(error["linear"], 10 * error["default"])
+
+
+class ErrorsTest(unittest.TestCase):
+    def test_what_cannot_be_cut(self):
+        short, unfinished, wrong = curved(), curved(), curved()
+        short.GetPointData().GetArray("s").SetNumberOfTuples(3)
+        unfinished.GetPoints().SetPoint(0, float("nan"), 0, 0)
+        wrong.InsertNextCell(vtk.VTK_BIQUADRATIC_QUADRATIC_WEDGE, 15, range(15))
+        wrong.GetCellData().Initialize()
+        for data, words in ((short, "tuples"), (unfinished, "nan"), (wrong, "it must have 18")):
+            with self.subTest(words=words), VtkErrors() as errors:
+                self.assertEqual(tessellated(data).GetNumberOfCells(), 0)
+                self.assertEqual(len(errors.texts), 1)
+                self.assertIn(words, errors.texts[0])
+
+    def test_nothing(self):
+        self.assertEqual(tessellated(vtk.vtkUnstructuredGrid()).GetNumberOfCells(), 0)
+
+    def test_tolerances_are_clamped(self):
+        made = vtktetmarch.vtkTetMarchTessellator()
+        for set_one, get_one in ((made.SetGeometryTolerance, made.GetGeometryTolerance),
+                                 (made.SetScalarTolerance, made.GetScalarTolerance)):
+            set_one(0)
+            self.assertEqual(get_one(), 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
