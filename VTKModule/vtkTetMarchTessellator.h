@@ -43,15 +43,19 @@ public:
   vtkTypeMacro(vtkTetMarchTessellator, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  //@{
   /** The greatest distance between an edge and the curve that it stands for, as a part of the
    * diagonal of the bounding box: 1e-6 to 1. The default 5e-4 is a fourth of a pixel of a picture
    * of 500 x 500. */
   vtkSetClampMacro(GeometryTolerance, double, 1e-6, 1.0);
   vtkGetMacro(GeometryTolerance, double);
+  //@}
 
+  //@{
   /** The greatest difference from the scalars, as a part of their range: 1e-6 to 1. */
   vtkSetClampMacro(ScalarTolerance, double, 1e-6, 1.0);
   vtkGetMacro(ScalarTolerance, double);
+  //@}
 
 protected:
   vtkTetMarchTessellator();
