@@ -44,6 +44,38 @@ def curved(bend=bent):
     return grid
 
 
+WEDGE = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)]
+HEXAHEDRON = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+AROUND = [(0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3)]
+BOX = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
+# Cells that no lattice in C++ has: their corners, and the corners in whose middle each other point is; the volume.
+OTHER_CELLS = {
+    "VTK_QUADRATIC_LINEAR_WEDGE": (WEDGE, AROUND, 1 / 2),
+    "VTK_BIQUADRATIC_QUADRATIC_WEDGE": (
+        WEDGE, [*AROUND, (0, 3), (1, 4), (2, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)], 1 / 2),
+    "VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON": (
+        HEXAHEDRON, [*BOX, (0, 3, 7, 4), (1, 2, 6, 5), (0, 1, 5, 4), (2, 3, 7, 6)], 1),
+    "VTK_BEZIER_TETRAHEDRON": ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], ENDS[4:], 1 / 6),
+}
+
+
+def cell_of(name):
+    """One cell with straight edges; "s" is the square of x."""
+    corners, middles, _ = OTHER_CELLS[name]
+    corners = np.array(corners, float)
+    points = np.concatenate([corners, [corners[list(ends)].mean(axis=0) for ends in middles]])
+    values = points[:, 0] ** 2
+    if "BEZIER" in name:  # control points, which the curve doesn't pass through
+        values[4:] = [2 * x ** 2 - (corners[list(ends), 0] ** 2).mean() for x, ends in zip(points[4:, 0], middles)]
+    grid = vtk.vtkUnstructuredGrid()
+    grid.SetPoints(vtk.vtkPoints())
+    grid.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    grid.InsertNextCell(getattr(vtk, name), len(points), range(len(points)))
+    add(grid.GetPointData(), "s", values)
+    grid.GetPointData().SetActiveScalars("s")
+    return grid
+
+
 def add(attributes, name, values):
     array = numpy_to_vtk(values, deep=True)
     array.SetName(name)
@@ -105,6 +137,20 @@ class CellsTest(unittest.TestCase):
         self.assertGreater(counts[1], 10 * counts[0])
         self.assertGreater(counts[2], 10 * counts[1])
 
+    def test_of_each_type(self):
+        for name, (corners, _, volume) in OTHER_CELLS.items():
+            with self.subTest(name):
+                self.assertEqual(tessellated(cell_of(name), 1, 1).GetNumberOfCells(), {4: 1, 6: 3, 8: 6}[len(corners)])
+                mesh = tessellated(cell_of(name), 1, 1e-2)
+                self.assertGreater(mesh.GetNumberOfCells(), 10)
+                points = vtk_to_numpy(mesh.GetPoints().GetData())
+                values = vtk_to_numpy(mesh.GetPointData().GetScalars())
+                np.testing.assert_allclose(values, points[:, 0] ** 2, atol=1e-12)
+                tets = points[vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+                sixfold = np.linalg.det(tets[:, 1:] - tets[:, :1])
+                self.assertGreater(sixfold.min(), 0)
+                self.assertAlmostEqual(sixfold.sum() / 6, volume, places=12)
+
     def test_others_are_passed_on(self):
         data = curved()
         first = data.GetNumberOfPoints()
@@ -115,8 +161,10 @@ class CellsTest(unittest.TestCase):
         data.InsertNextCell(vtk.VTK_VOXEL, 8, range(first, first + 8))
         data.InsertNextCell(vtk.VTK_LINE, 2, (0, 1))
         faces = vtk.vtkIdList()
-        for value in (4, 3, 0, 1, 2, 3, 0, 1, 4, 3, 0, 2, 4, 3, 1, 2, 4):
-            faces.InsertNextId(value if faces.GetNumberOfIds() % 4 == 1 or not faces.GetNumberOfIds() else value + first)
+        faces.InsertNextId(4)
+        for face in ((0, 1, 4), (0, 2, 4), (1, 2, 4), (0, 1, 2)):
+            for value in (3, *(first + corner for corner in face)):
+                faces.InsertNextId(value)
         data.InsertNextCell(vtk.VTK_POLYHEDRON, faces)
         mesh = tessellated(data)
         origins = list(vtk_to_numpy(mesh.GetCellData().GetArray("vtkOriginalCellIds")))
