@@ -7,16 +7,13 @@ between their points, and cut by vtkTetMarchTessellator and by vtkTessellatorFil
 the scalars, its points merged). It writes FOLDER/curved.md: tetrahedra, seconds to cut and to draw (of a first frame and
 of another), and the difference from the picture for a tolerance of a fourth of the smallest one.
 """
-import argparse
-import pathlib
-import statistics
 import time
 
 import numpy as np
 import vtkmodules.all as vtk
 from measure_pixels import picture_of
-from measured_page import row
-from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves
+from measured_page import grid_options, row
+from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves, median_seconds
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtktetmarch import vtkTetMarchTessellator, vtkTetMarchVolumeMapper
 
@@ -99,30 +96,20 @@ def measure(cells, size, rounds):
         ways[f"vtkTetMarchTessellator, {tolerance:g}"] = cut_by_us(grid, tolerance)
         ways[f"vtkTessellatorFilter, {tolerance:g}"] = cut_by_vtk(grid, tolerance)
     frames = {name: CurvedFrames(grid, cut, size) for name, cut in ways.items()}
-    seconds = {name: [] for name in ways}
-    for _ in range(rounds):
-        for name, each in frames.items():
-            each.seconds(0)
-            seconds[name].append(each.seconds(1))
+    medians = median_seconds(frames, rounds)
     text = row(["cut by", "tetrahedra", "cutting, s", "first frame, s", "frame, s", "RMS", "greatest"])
     text += "|---|" + "---:|" * 6 + "\n"
     for name, each in frames.items():
         each.seconds(0)
         apart = np.abs(picture_of(each.window) - reference)
         text += row([name, f"{each.tetrahedra:,}", f"{each.cutting:.2f}", f"{each.first:.2f}",
-                     f"{statistics.median(seconds[name]):.3f}", f"{np.sqrt((apart**2).mean()):.1e}", f"{apart.max():.3f}"])
+                     f"{medians[name]:.3f}", f"{np.sqrt((apart**2).mean()):.1e}", f"{apart.max():.3f}"])
     return f"{cells**3} cells\n\n{text}"
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--cells", type=int, default=6)
-    parser.add_argument("--size", default="512x512")
-    parser.add_argument("--frames", type=int, default=5)
-    options = parser.parse_args()
-    options.folder.mkdir(parents=True, exist_ok=True)
-    text = measure(options.cells, [int(n) for n in options.size.split("x")], options.frames)
+    options = grid_options(__doc__, "--cells", 6, frames=5)
+    text = measure(options.cells, options.size, options.frames)
     (options.folder / "curved.md").write_text(text)
     print(text)
 

@@ -6,17 +6,14 @@ Draws a bent box of N x N x N hexahedra by turns: with computed cells, as an uns
 vtkProjectedTetrahedraMapper, and resampled to 128^3 points, as ParaView does. It writes FOLDER/grids.md: seconds to
 prepare and of a frame, bytes of the mapper on the GPU, and the difference from the picture of stored cells.
 """
-import argparse
-import pathlib
-import statistics
 import time
 
 import made_grids as grids
 import numpy as np
 import vtkmodules.all as vtk
 from measure_pixels import picture_of
-from measured_page import row
-from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves
+from measured_page import grid_options, row
+from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves, median_seconds
 from vtktetmarch import vtkTetMarchVolumeMapper
 
 RESAMPLED = 128
@@ -89,12 +86,7 @@ class GridFrames(Frames):
 def measure(cubes, size, rounds):
     grid = bent_box(cubes)
     frames = {name: GridFrames(grid, make, size) for name, make in WAYS.items()}
-    seconds = {name: [] for name in WAYS}
-    for _ in range(rounds):
-        for name, each in frames.items():
-            each.seconds(0)
-            seconds[name].append(each.seconds(1))
-    medians = {name: statistics.median(taken) for name, taken in seconds.items()}
+    medians = median_seconds(frames, rounds)
     reference = picture_of(frames["TetMarch, stored cells"].window)
     text = ""
     for name, each in frames.items():
@@ -109,18 +101,11 @@ def measure(cubes, size, rounds):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--cubes", type=int, nargs="+", default=[30, 60, 120])
-    parser.add_argument("--size", default="512x512")
-    parser.add_argument("--frames", type=int, default=7)
-    options = parser.parse_args()
-    size = [int(n) for n in options.size.split("x")]
-    options.folder.mkdir(parents=True, exist_ok=True)
+    options = grid_options(__doc__, "--cubes", [30, 60, 120], nargs="+")
     text = row(["hexahedra", "drawn by", "first frame, s", "frame, s", "relative", "bytes a hexahedron", "RMS"])
     text += "|---|---|" + "---:|" * 5 + "\n"
     for cubes in options.cubes:
-        text += measure(cubes, size, options.frames)
+        text += measure(cubes, options.size, options.frames)
     (options.folder / "grids.md").write_text(text)
     print(text)
 

@@ -7,16 +7,13 @@ values that are constant in each leaf and linear between leaves, and the functio
 both of our and VTK's mappers of images. It writes FOLDER/leaves.md: seconds to the first frame and of a frame, bytes of
 our mappers on the GPU, and the difference from the picture of the function, in cells of a quarter of the finest size.
 """
-import argparse
-import pathlib
-import statistics
 import time
 
 import numpy as np
 import vtkmodules.all as vtk
 from measure_pixels import picture_of
-from measured_page import row
-from time_frames import ENOUGH_FOR_ONE_DRAW, Frames
+from measured_page import grid_options, row
+from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, median_seconds
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtktetmarch import vtkTetMarchDualGrid, vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
 
@@ -152,31 +149,21 @@ def measure(cells, size, rounds):
     reference = picture_of(true.window)
     frames = {name: LeafFrames(make, mesh, image, size) for name, make in WAYS.items()}
     errors = {name: np.sqrt(((picture_of(each.window) - reference)**2).mean()) for name, each in frames.items()}
-    seconds = {name: [] for name in WAYS}
-    for _ in range(rounds):
-        for name, each in frames.items():
-            each.seconds(0)
-            seconds[name].append(each.seconds(1))
+    medians = median_seconds(frames, rounds)
     text = ""
     for name, each in frames.items():
         mapper = each.volume.GetMapper()
         ours = hasattr(mapper, "GetLastFrameStatistics")
         bytes_of_gpu = mapper.GetLastFrameStatistics().GetGPUMemoryBytes() / leaves if ours else 0
-        text += row([name, f"{each.first:.2f}", f"{statistics.median(seconds[name]):.3f}",
+        text += row([name, f"{each.first:.2f}", f"{medians[name]:.3f}",
                      f"{bytes_of_gpu:.0f}" if ours else "", f"{errors[name]:.1e}"])
     return f"{leaves:,} leaves; the image has {finest}^3 cells\n\n" + row(
         ["drawn", "first frame, s", "frame, s", "bytes a leaf", "RMS"]) + "|---|" + "---:|" * 4 + "\n" + text
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--cells", type=int, default=32)
-    parser.add_argument("--size", default="512x512")
-    parser.add_argument("--frames", type=int, default=7)
-    options = parser.parse_args()
-    options.folder.mkdir(parents=True, exist_ok=True)
-    text = measure(options.cells, [int(n) for n in options.size.split("x")], options.frames)
+    options = grid_options(__doc__, "--cells", 32)
+    text = measure(options.cells, options.size, options.frames)
     (options.folder / "leaves.md").write_text(text)
     print(text)
 

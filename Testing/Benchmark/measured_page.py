@@ -13,6 +13,18 @@ def parser_of(description, *paths):
     return parser
 
 
+def grid_options(description, count, default, frames=7, **how):
+    """The folder of a table, which is made, the number of cells, the size of the window and the number of frames."""
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument(count, type=int, default=default, **how)
+    parser.add_argument("--size", type=lambda text: [int(n) for n in text.split("x")], default="512x512")
+    parser.add_argument("--frames", type=int, default=frames)
+    options = parser.parse_args()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    return options
+
+
 def charts_folder(output):
     folder = output / "Charts"
     folder.mkdir(parents=True, exist_ok=True)

@@ -7,6 +7,7 @@ seconds that a frame of that view took. Light is that of one light source of the
 """
 import json
 import pathlib
+import statistics
 import sys
 import time
 
@@ -122,6 +123,16 @@ class Frames:
         self.window.Render()
         self.window.WaitForCompletion()
         return time.perf_counter() - begin
+
+
+def median_seconds(frames, rounds):
+    """Of a frame of each of these (Frames by name), drawn by turns."""
+    seconds = {name: [] for name in frames}
+    for _ in range(rounds):
+        for name, each in frames.items():
+            each.seconds(0)
+            seconds[name].append(each.seconds(1))
+    return {name: statistics.median(taken) for name, taken in seconds.items()}
 
 
 def main():

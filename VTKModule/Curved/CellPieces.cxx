@@ -49,15 +49,14 @@ std::uint8_t facesOf(const CurvedShape& shape, int corner)
   return static_cast<std::uint8_t>(faces);
 }
 
-std::vector<Piece> firstPieces(
-  const CurvedShape& shape, const std::vector<Vector3>& at, const std::vector<vtkIdType>& ids)
+std::vector<Piece> firstPieces(const CurvedShape& shape, const std::vector<vtkIdType>& ids)
 {
   std::vector<PieceCorner> corners;
-  for (std::size_t i = 0; i < at.size(); ++i)
+  for (std::size_t i = 0; i < shape.Corners.size(); ++i)
   {
     PieceCorner corner{ static_cast<std::uint32_t>(ids[i]), {},
       facesOf(shape, static_cast<int>(i)) };
-    std::copy(at[i].begin(), at[i].end(), corner.At.begin());
+    std::copy(shape.Corners[i].begin(), shape.Corners[i].end(), corner.At.begin());
     corners.push_back(corner);
   }
   const auto isBefore = [&ids](int a, int b) { return ids[a] < ids[b]; };

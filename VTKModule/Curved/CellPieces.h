@@ -29,10 +29,9 @@ constexpr int PieceEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 
 /** The faces in which a corner is, a bit for each. */
 std::uint8_t facesOf(const CurvedShape& shape, int corner);
 
-/** Between these corners of a cell. Each face is fanned from the corner of the smallest id, the
- * cell from that of all, so neighbours divide a common face alike. */
-std::vector<Piece> firstPieces(
-  const CurvedShape& shape, const std::vector<Vector3>& at, const std::vector<vtkIdType>& ids);
+/** Between the corners of a cell, which are these points. Each face is fanned from the corner of
+ * the smallest id, the cell from that of all, so neighbours divide a common face alike. */
+std::vector<Piece> firstPieces(const CurvedShape& shape, const std::vector<vtkIdType>& ids);
 
 /** The middle of an edge, which is that point of the output. */
 PieceCorner middleOf(const PieceCorner& a, const PieceCorner& b, vtkIdType id);

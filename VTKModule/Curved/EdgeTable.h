@@ -27,8 +27,6 @@ public:
     return this->Middles.try_emplace(low << 32 | high, Unknown).first->second;
   }
 
-  void clear() { this->Middles.clear(); }
-
 private:
   struct Hash // SplitMix64, G. Steele et al., 2014
   {

@@ -55,15 +55,15 @@ public:
   /** Begins with a cell. */
   void add(vtkIdType cell, const CurvedShape& shape)
   {
-    this->Cell.read(cell, shape);
+    this->Grid->GetCells()->GetCellAtId(cell, this->Common);
     std::vector<vtkIdType> ids;
     for (std::size_t i = 0; i < shape.Corners.size(); ++i)
     {
-      ids.push_back(this->Points.copyOf(this->Cell.points()->GetId(static_cast<vtkIdType>(i))));
+      ids.push_back(this->Points.copyOf(this->Common->GetId(static_cast<vtkIdType>(i))));
     }
     this->Places.emplace(cell, this->Cells.size());
     this->Waiting.push_back(this->Cells.size());
-    this->Cells.push_back({ cell, &shape, firstPieces(shape, shape.Corners, ids), {} });
+    this->Cells.push_back({ cell, &shape, firstPieces(shape, ids), {} });
   }
 
   /** Returns false if the progress says so. */
@@ -295,7 +295,7 @@ private:
   vtkNew<vtkIdTypeArray> Origins; // of the cells of the output
   CurvedPlace Place;
   std::vector<Piece> Stack;
-  vtkNew<vtkIdList> Common;
+  vtkNew<vtkIdList> Common; // points
   vtkNew<vtkIdList> Neighbors;
 };
 
