@@ -38,9 +38,9 @@ if (TETMARCH_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
-    ChartsCore FiltersGeneral FiltersSources FiltersHybrid GUISupportQt ImagingCore
-    InteractionStyle InteractionWidgets IOCGNSReader IOExodus IOImage IOLegacy IOXML RenderingContextOpenGL2
-    TestingRendering ViewsContext2D)
+    ChartsCore FiltersGeneral FiltersHyperTree FiltersSources FiltersHybrid GUISupportQt ImagingCore
+    InteractionStyle InteractionWidgets IOCGNSReader IOExodus IOImage IOLegacy IOParallel IOXML
+    RenderingContextOpenGL2 TestingRendering ViewsContext2D)
 
 vtk_module_scan(
   MODULE_FILES "${PROJECT_SOURCE_DIR}/vtk.module"

@@ -14,69 +14,10 @@ import vtkmodules.all as vtk
 from measure_pixels import picture_of
 from measured_page import grid_options, row
 from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, median_seconds
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtktetmarch import vtkTetMarchDualGrid, vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
+from write_leaves import LEVELS, adaptive, block_of
 
-SIDE = 4  # cells of a level along the edge of a block that is refined
-LEVELS = 3
-RADIUS = 0.35
 FINER = 4  # cells of the true picture along a finest cell
-
-
-def value_at(centers):
-    """1 on the shell and less away from it, exp(-(d / 0.02)^2) for a distance of d; waves of 0.2 at most."""
-    x, y, z = np.moveaxis(centers, -1, 0)
-    distance = np.linalg.norm(centers - 0.5, axis=-1) - RADIUS
-    return 0.8 * np.exp(-(distance / 0.02)**2) + 0.1 + 0.1 * np.sin(20 * x) * np.cos(15 * y + 10 * z)
-
-
-def block_of(kind, width, low, count):
-    """Cells with the value at their centres, from cell `low` on."""
-    block = kind()
-    block.SetDimensions([count + 1] * 3)
-    block.SetOrigin([width * a for a in low])
-    block.SetSpacing([width] * 3)
-    axes = [width * (a + np.arange(count) + 0.5) for a in low[::-1]]
-    values = np.concatenate([value_at(np.stack(np.meshgrid([z], *axes[1:], indexing="ij")[::-1], axis=-1)).ravel()
-                             for z in axes[0]])
-    array = numpy_to_vtk(values.astype(np.float32), deep=True)
-    array.SetName("f")
-    block.GetCellData().SetScalars(array)
-    return block
-
-
-def meets_shell(low, width):
-    low = np.array(low) * width
-    high = low + SIDE * width
-    nearest = np.linalg.norm(np.clip(0.5, low, high) - 0.5)
-    farthest = np.linalg.norm(np.maximum(0.5 - low, high - 0.5))
-    return nearest <= RADIUS <= farthest
-
-
-def refined(boxes, width):
-    """Low corners, on the next level, of the blocks of these boxes (low, count) that the shell passes through."""
-    return [[2 * (a + SIDE * i) for a, i in zip(low, place)] for low, count in boxes
-            for place in np.ndindex(*[count // SIDE] * 3)
-            if meets_shell([a + SIDE * i for a, i in zip(low, place)], width)]
-
-
-def adaptive(coarsest):
-    """The mesh, and the number of its leaves."""
-    widths = [1 / (coarsest << level) for level in range(LEVELS)]
-    boxes = [[([0, 0, 0], coarsest)]]
-    for width in widths[:-1]:
-        boxes.append([(low, 2 * SIDE) for low in refined(boxes[-1], width)])
-    mesh = vtk.vtkOverlappingAMR()
-    mesh.Initialize(LEVELS, [len(each) for each in boxes])
-    mesh.SetOrigin([0, 0, 0])
-    mesh.SetGridDescription(vtk.VTK_XYZ_GRID)
-    for level, (width, each) in enumerate(zip(widths, boxes)):
-        mesh.SetSpacing(level, [width] * 3)
-        for number, (low, count) in enumerate(each):
-            mesh.SetAMRBox(level, number, vtk.vtkAMRBox(low, [a + count - 1 for a in low]))
-            mesh.SetDataSet(level, number, block_of(vtk.vtkUniformGrid, width, low, count))
-    hidden = sum(len(each) for each in boxes[1:]) * SIDE**3  # below finer ones
-    return mesh, sum(count**3 for each in boxes for _, count in each) - hidden
 
 
 def without_limits(mapper):

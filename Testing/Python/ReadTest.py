@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
 """read() and time_values(): files of every kind, and what is wrong with a file."""
+import os
 import pathlib
 import tempfile
 import unittest
@@ -140,6 +141,18 @@ class ReadTest(unittest.TestCase):
                     self.assertEqual(found.GetNumberOfLevels(), 2)
                     self.assertEqual(found.GetTotalNumberOfBlocks(), 3)
                 self.assertGreater(vtktetmarch.screenshot(found, size=(60, 50)).max(), 40)
+
+    def test_plot3d(self):
+        places = np.stack(np.meshgrid(*[np.arange(3.0)] * 3, indexing="ij")[::-1])
+        sizes = np.array([3, 3, 3], dtype=np.int32).tobytes()
+        (self.folder / "a.xyz").write_bytes(sizes + places.astype(np.float32).tobytes())
+        (self.folder / "a.q").write_bytes(sizes + bytes(16) + np.tile(places[0] + 1, (5, 1, 1, 1)).astype("f4").tobytes())
+        path = self.folder / "a.p3d"
+        path.write_text('{"filenames": [{"time": 0.5, "xyz": "a.xyz", "q": "a.q"}]}')
+        for name in (path, os.path.relpath(path)):
+            found = vtktetmarch.read(name)
+            self.assertEqual(found.GetBlock(0).GetNumberOfCells(), 8)
+            self.assertGreater(vtktetmarch.screenshot(found, "Density", size=(60, 50)).max(), 40)
 
     def test_all_arrays_of_a_legacy_file(self):
         grid = first_data.one_tetrahedron()

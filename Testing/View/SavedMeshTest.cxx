@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Programs.h"
 #include "SavedCase.h"
+#include "WriteKinds.h"
 
 #include "vtkTetMarchSettings.h"
 
@@ -41,6 +42,7 @@ class SavedMeshTest : public SavedCase
 
 private Q_SLOTS:
   void TheFirstPicture();
+  void LeavesOfATree();
   void AChangedView_data();
   void AChangedView();
 };
@@ -49,6 +51,12 @@ TETMARCH_ADD_SUITE(SavedMeshTest);
 void SavedMeshTest::TheFirstPicture()
 {
   this->OpenPicture(GetData("golfball_small.vtu"));
+  this->CheckPicture();
+}
+
+void SavedMeshTest::LeavesOfATree()
+{
+  this->OpenPicture(WriteTree(this->Folder.path()));
   this->CheckPicture();
 }
 

@@ -8,7 +8,9 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRandomHyperTreeGridSource.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLHyperTreeGridWriter.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
@@ -216,6 +218,20 @@ QString WriteBlocks(const QString& folder)
   vtkNew<vtkXMLMultiBlockDataWriter> writer;
   writer->SetFileName(path.toUtf8().constData());
   writer->SetInputData(blocks);
+  writer->Write();
+  return path;
+}
+
+QString WriteTree(const QString& folder)
+{
+  vtkNew<vtkRandomHyperTreeGridSource> source;
+  source->SetDimensions(5, 5, 5);
+  source->SetMaxDepth(4);
+  source->SetSeed(3);
+  const QString path = folder + QStringLiteral("/tree.htg");
+  vtkNew<vtkXMLHyperTreeGridWriter> writer;
+  writer->SetFileName(path.toUtf8().constData());
+  writer->SetInputConnection(source->GetOutputPort());
   writer->Write();
   return path;
 }

@@ -19,6 +19,8 @@ QString WriteMixedCells(const QString& folder);
 QString WriteCellScalars(const QString& folder);
 /// An image and an unstructured grid beside it.
 QString WriteBlocks(const QString& folder);
+/// Leaves of a tree of four levels.
+QString WriteTree(const QString& folder);
 /// Five time steps of waves in a ring, listed in a .pvd.
 QString WriteTimeSeries(const QString& folder);
 

@@ -3,6 +3,7 @@
 #include "AnyMapper.h"
 
 #include "vtkNew.h"
+#include "vtkTetMarchFirstPicture.h"
 #include "vtkTetMarchSmartVolumeMapper.h"
 #include "vtkTetMarchVolumeMapper.h"
 
@@ -96,6 +97,14 @@ private:
   vtkNew<Mapper> Object;
 };
 } // namespace
+
+void tetmarch::AnyMapper::SelectArray(int association, const std::string& name)
+{
+  this->GetMapper()->SetScalarMode(association == vtkTetMarchFirstPicture::CELLS
+                                     ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+                                     : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  this->GetMapper()->SelectScalarArray(name.c_str());
+}
 
 std::unique_ptr<tetmarch::AnyMapper> tetmarch::MakeMapper(bool structured)
 {

@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 class vtkAbstractVolumeMapper;
 class vtkDataObject;
@@ -53,6 +54,8 @@ public:
   virtual vtkTetMarchFrameStatistics* GetStatistics() = 0;
 
   virtual void SetInput(vtkDataObject* data) = 0;
+  /// association: as vtkTetMarchFirstPicture::Associations.
+  void SelectArray(int association, const std::string& name);
   /// Prepares the mesh before the first frame, in any thread; images and rectilinear grids need
   /// none. False: stopped or failed.
   virtual bool PrepareMesh() = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DatasetReader.h"
 
+#include "AdaptiveData.h"
 #include "DataChecking.h"
 #include "ErrorText.h"
 #include "Failure.h"
@@ -226,12 +227,20 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   const RawOptions& rawOptions, const WantedArray& wanted, const ProgressReport& report)
 {
   const FileContents contents = ReadFile(path, timeStep, rawOptions, report);
-  CheckData(contents.Data, path);
-  const auto blocks = GetSolidBlocks(contents.Data, path);
   VolumeData volume;
+  volume.Adaptive = IsAdaptive(contents.Data);
+  const auto data = ConvertAdaptive(contents.Data, wanted.Continuous);
+  CheckData(data, path);
+  const auto blocks = GetSolidBlocks(data, path);
   volume.Times = contents.Times;
   volume.TimeStep =
     timeStep.value_or(std::max<int>(static_cast<int>(contents.Times.size()) - 1, 0));
+  if (IsAdaptive(data))
+  {
+    volume.Input = data;
+    volume.Blocks = GetData(blocks);
+    return volume;
+  }
   volume.Structured = std::all_of(
     blocks.begin(), blocks.end(), [](const NamedBlock& block) { return IsStructured(block.Data); });
   if (volume.Structured && blocks.size() > 1)
@@ -255,11 +264,11 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
 std::vector<std::string> ListFaults(
   const std::string& path, std::optional<int> timeStep, const RawOptions& rawOptions)
 {
-  const FileContents contents = ReadFile(path, timeStep, rawOptions, {});
-  std::vector<std::string> faults = ListFaults(contents.Data);
+  const auto data = ConvertAdaptive(ReadFile(path, timeStep, rawOptions, {}).Data, false);
+  std::vector<std::string> faults = ListFaults(data);
   if (faults.empty())
   {
-    GetSolidBlocks(contents.Data, path);
+    GetSolidBlocks(data, path);
   }
   return faults;
 }

@@ -23,10 +23,10 @@ namespace tetmarch
 {
 
 /**
- * An image, a rectilinear grid or several of these as they are; else all blocks with 3D cells as
- * ReadUnstructuredGrid() has them. Blocks that are surfaces, or have no 3D cells, are left out.
- * Options of raw files must be complete. Throws Failure that says what is wrong with the file, and
- * Cancelled if the report asks to stop.
+ * An image, a rectilinear grid, several of these or AMR as they are, of trees the leaves; else all
+ * blocks with 3D cells as ReadUnstructuredGrid() has them. Blocks that are surfaces, or have no 3D
+ * cells, are left out. Options of raw files must be complete. Throws Failure that says what is
+ * wrong with the file, and Cancelled if the report asks to stop.
  */
 VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   const RawOptions& rawOptions = {}, const WantedArray& wanted = {},

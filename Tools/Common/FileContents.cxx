@@ -52,8 +52,7 @@ void Update(vtkAlgorithm* reader, std::optional<int> timeStep)
 /// Pieces of a parallel file repeat the points between them and their neighbours' cells.
 bool HasPieces(const std::string& path)
 {
-  const std::string ending = tetmarch::GetEnding(path);
-  return ending.size() > 1 && ending[1] == 'p';
+  return tetmarch::GetEnding(path).compare(0, 4, ".pvt") == 0;
 }
 
 /// As Update(). Returns what our own reader said of the file, or an empty string.

@@ -7,18 +7,24 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "Numbers.h"
+#include "Plot3DCheck.h"
 
 #include "vtkGenericDataObjectReader.h"
 #include "vtkTetMarchImageReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLHyperTreeGridReader.h"
 #include "vtkXMLPartitionedDataSetCollectionReader.h"
 #include "vtkXMLPartitionedDataSetReader.h"
 #include "vtkXMLReader.h"
+#include "vtkXMLUniformGridAMRReader.h"
 #if TETMARCH_HAVE_EXODUS
 #include "vtkExodusIIReader.h"
 #endif
 #if TETMARCH_HAVE_CGNS
 #include "vtkCGNSReader.h"
+#endif
+#if TETMARCH_HAVE_PLOT3D
+#include "vtkPlot3DMetaReader.h"
 #endif
 
 #include <algorithm>
@@ -152,6 +158,32 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
                           " was built without VTK's CGNS reader (component IOCGNSReader)");
 #endif
 }
+
+vtkSmartPointer<vtkAlgorithm> MakePlot3DReader(const std::string& path)
+{
+#if TETMARCH_HAVE_PLOT3D
+  tetmarch::CheckPlot3D(path);
+  return MakeReaderOf<vtkPlot3DMetaReader>(
+    std::filesystem::absolute(path).string()); // of one without a folder it takes the root's
+#else
+  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
+                          " was built without VTK's PLOT3D reader (component IOParallel)");
+#endif
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeAMRReader(const std::string& path)
+{
+  CheckComponents(path);
+  auto reader = MakeReaderOf<vtkXMLUniformGridAMRReader>(path);
+  reader->SetMaximumLevelsToReadByDefault(0); // all
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeTreeReader(const std::string& path)
+{
+  CheckComponents(path);
+  return MakeReaderOf<vtkXMLHyperTreeGridReader>(path);
+}
 } // namespace
 
 namespace tetmarch
@@ -203,6 +235,18 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptio
   {
     return MakeReaderOf<vtkXMLPartitionedDataSetReader>(path);
   }
+  if (ending == ".vth" || ending == ".vthb")
+  {
+    return MakeAMRReader(path);
+  }
+  if (ending == ".htg")
+  {
+    return MakeTreeReader(path);
+  }
+  if (ending == ".p3d")
+  {
+    return MakePlot3DReader(path);
+  }
   if (ending == ".vtk")
   {
     auto reader = MakeReaderOf<vtkGenericDataObjectReader>(path);
@@ -229,10 +273,11 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, const RawOptio
   }
   throw Failure(
     "cannot read '" + path + "': no reader for the ending '" + ending +
-    "'; known are VTK's XML files (.vtu, .vti, .vtr, .pvtu, .vtm, .vtpc, ...), lists of files by "
-    "time (.pvd, .series), legacy .vtk, "
-    "MetaImage (.mhd, .mha), NRRD (.nrrd, .nhdr), raw images (.raw), Exodus (.ex2, .e, .exo, .g) "
-    "and CGNS (.cgns)");
+    "'; known are VTK's XML files (.vtu, .vti, .vtr, .pvtu, .vtm, .vtpc, .vthb, .htg, ...), lists "
+    "of "
+    "files by time (.pvd, .series), legacy .vtk, "
+    "MetaImage (.mhd, .mha), NRRD (.nrrd, .nhdr), raw images (.raw), Exodus (.ex2, .e, .exo, .g), "
+    "CGNS (.cgns) and PLOT3D (.p3d)");
 }
 
 } // namespace tetmarch

@@ -21,19 +21,22 @@ namespace tetmarch
 /// The array that the user asks for.
 struct WantedArray
 {
-  std::string Name;     // empty: any
-  int Association = -1; // as vtkTetMarchFirstPicture::Associations
+  std::string Name;        // empty: any
+  int Association = -1;    // as vtkTetMarchFirstPicture::Associations
+  bool Continuous = false; // of an adaptive mesh: linear between the centres of leaves
 };
 
 struct VolumeData
 {
-  /// Of the mapper: an unstructured or curvilinear grid, an image, a rectilinear grid, or a tree of
-  /// the latter two.
+  /// Of the mapper: an unstructured or curvilinear grid, an image, a rectilinear grid, a tree of
+  /// the latter two, or AMR.
   vtkSmartPointer<vtkDataObject> Input;
   /// The blocks of the tree, or the only one.
   std::vector<vtkDataSet*> Blocks;
   /// Images and rectilinear grids.
   bool Structured = false;
+  /// Whether the file has leaves of several levels.
+  bool Adaptive = false;
   /// Of the file, and the one that was read. No times: the file has no time steps.
   std::vector<double> Times{};
   int TimeStep = 0;

@@ -81,10 +81,11 @@ struct CommandLine
   bool Transparent = false; // no background
   AnnotationOptions Annotations;
   std::array<int, 2> Size{ { 1024, 768 } };
-  std::optional<int> TileSize;          // of a picture in tiles; none: chosen by GetLargestTile()
-  std::optional<TimeRange> Time;        // a picture of each
-  int Turntable = 0;                    // pictures all around; 0: one picture
-  std::optional<bool> Nearest;          // interpolation of these; linear by default
+  std::optional<int> TileSize;   // of a picture in tiles; none: chosen by GetLargestTile()
+  std::optional<TimeRange> Time; // a picture of each
+  int Turntable = 0;             // pictures all around; 0: one picture
+  std::optional<bool>
+    Nearest; // interpolation of these; linear by default, of adaptive meshes nearest
   std::optional<double> SampleDistance; // of the level Sampled; by default that of the mapper
   bool Jitter = false;                  // of its first samples
   CutOptions Cuts;

@@ -235,10 +235,10 @@ void CheckOptions(const CommandLine& commandLine)
 void CheckOptionsOfData(const CommandLine& commandLine, const VolumeData& data)
 {
   const std::string input = "'" + commandLine.Input + "'";
-  if (!data.Structured && commandLine.Nearest)
+  if (!data.Structured && !data.Adaptive && commandLine.Nearest)
   {
-    throw Failure("--interpolation is for images and rectilinear grids, but " + input +
-                  " is drawn as an unstructured grid");
+    throw Failure("--interpolation is for images, rectilinear grids and adaptive meshes, but " +
+                  input + " is drawn as an unstructured grid");
   }
   if (!data.Structured && IsSampled(commandLine))
   {

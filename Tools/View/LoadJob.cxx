@@ -42,10 +42,13 @@ std::vector<ArrayName> ListArrays(vtkTetMarchFirstPicture* choice)
   return arrays;
 }
 
-std::shared_ptr<AnyMapper> PrepareMapper(const VolumeData& data, const ProgressReport& report)
+std::shared_ptr<AnyMapper> PrepareMapper(const Prepared& volume, const ProgressReport& report)
 {
   std::shared_ptr<AnyMapper> mapper = MakeMapper(false);
-  mapper->SetInput(data.Input);
+  mapper->SetInput(volume.Data.Input);
+  // Which of several blocks are drawn depends on it.
+  mapper->SelectArray(
+    volume.Choice->GetChosenAssociation(), volume.Choice->GetChosenArray()->GetName());
   const ErrorText error(mapper->GetMapper());
   const ProgressBar bar("preparing the mesh", mapper->GetMapper(), report);
   if (!mapper->PrepareMesh())
@@ -93,7 +96,7 @@ tetmarch::LoadResult tetmarch::RunJob(const LoadJob& job, const ProgressReport& 
   volume.Values = CountValues(volume.Data, volume.Choice);
   if (!volume.Data.Structured && !HasSameMesh(job.Shown, volume.Data.Input))
   {
-    result.Mapper = PrepareMapper(volume.Data, report);
+    result.Mapper = PrepareMapper(volume, report);
   }
   return result;
 }

@@ -146,9 +146,9 @@ QString MainWindow::GetCommandLine()
 void MainWindow::AskForFile()
 {
   const QString path = QFileDialog::getOpenFileName(this, tr("Open data or a session"), {},
-    tr("Data and sessions (*.vtu *.vti *.vtr *.vts *.pvtu *.pvti *.vtm *.vtpc *.pvd *.series *.vtk "
-       "*.ex2 *.e "
-       "*.exo *.g *.cgns *.mhd *.mha *.nrrd *.nhdr *.raw *.json);;All files (*)"));
+    tr("Data and sessions (*.vtu *.vti *.vtr *.vts *.pvtu *.pvti *.vtm *.vtpc *.vthb *.htg *.pvd "
+       "*.series *.vtk *.ex2 *.e *.exo *.g *.cgns *.p3d *.mhd *.mha *.nrrd *.nhdr *.raw "
+       "*.json);;All files (*)"));
   if (!path.isEmpty())
   {
     this->Open(path);

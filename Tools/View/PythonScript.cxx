@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <set>
 #include <type_traits>
 
@@ -72,11 +73,20 @@ std::string WriteReader(const DataState& data)
   {
     return "reader = vtkTetMarchImageReader()\n" + name;
   }
-  return std::string("reader = vtk.") +
-         (ending == ".vtpc"    ? "vtkXMLPartitionedDataSetCollectionReader"
-           : ending == ".vtpd" ? "vtkXMLPartitionedDataSetReader"
-                               : "vtkXMLGenericDataObjectReader") +
-         "()\n" + name;
+  if (ending == ".vth" || ending == ".vthb")
+  {
+    return "reader = vtk.vtkXMLUniformGridAMRReader()\n" + name +
+           "reader.SetMaximumLevelsToReadByDefault(0)\n";
+  }
+  static const std::map<std::string, std::string> others = {
+    { ".vtpc", "vtkXMLPartitionedDataSetCollectionReader" },
+    { ".vtpd", "vtkXMLPartitionedDataSetReader" },
+    { ".htg", "vtkXMLHyperTreeGridReader" },
+    { ".p3d", "vtkPlot3DMetaReader" },
+  };
+  const auto other = others.find(ending);
+  return "reader = vtk." +
+         (other == others.end() ? "vtkXMLGenericDataObjectReader" : other->second) + "()\n" + name;
 }
 
 std::string WriteData(const DataState& data, bool structured)
@@ -91,6 +101,11 @@ std::string WriteData(const DataState& data, bool structured)
             std::to_string(data.TimeStep) + "])\n";
   }
   text += "reader.Update()\ndata = reader.GetOutputDataObject(0)\n";
+  if (GetEnding(data.File) == ".htg")
+  {
+    text += "leaves = vtk.vtkHyperTreeGridToUnstructuredGrid()\n"
+            "leaves.SetInputData(data)\nleaves.Update()\ndata = leaves.GetOutput()\n";
+  }
   if (!structured)
   {
     text += "if not isinstance(data, (vtk.vtkUnstructuredGrid, vtk.vtkStructuredGrid, "

@@ -156,11 +156,7 @@ void Scene::ApplyProperty(const ViewState& state)
 
 void Scene::ApplySettings(const ViewState& state)
 {
-  vtkAbstractVolumeMapper* mapper = this->Mapper->GetMapper();
-  mapper->SetScalarMode(state.Data.Association == vtkTetMarchFirstPicture::CELLS
-                          ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
-                          : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-  mapper->SelectScalarArray(state.Data.Array.c_str());
+  this->Mapper->SelectArray(state.Data.Association, state.Data.Array);
   this->Mapper->SetComponent(state.Data.Component);
   this->Mapper->SetBlendMode(state.BlendMode);
   vtkTetMarchSettings* settings = this->Mapper->GetSettings();

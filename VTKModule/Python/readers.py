@@ -40,6 +40,7 @@ READERS = {
     ".e": ("vtkIOExodus", "vtkExodusIIReader"),
     ".g": ("vtkIOExodus", "vtkExodusIIReader"),
     ".cgns": ("vtkIOCGNSReader", "vtkCGNSReader"),
+    ".p3d": ("vtkIOParallel", "vtkPlot3DMetaReader"),
     ".case": ("vtkIOEnSight", "vtkGenericEnSightReader"),
     ".foam": ("vtkIOGeometry", "vtkOpenFOAMReader"),
     ".inp": ("vtkIOGeometry", "vtkAVSucdReader"),
@@ -119,7 +120,8 @@ def open_reader(path):
     except (ImportError, AttributeError):
         raise ValueError(f"{path!r} needs {name} of vtkmodules.{module}, which this VTK doesn't have") from None
     check_beginning(path, name)
-    getattr(reader, SET_NAME.get(name, "SetFileName"))(path)
+    # vtkPlot3DMetaReader takes the root's folder for one that isn't there.
+    getattr(reader, SET_NAME.get(name, "SetFileName"))(os.path.abspath(path))
     enable_all(reader)
     return reader
 
@@ -190,9 +192,9 @@ def read(path, time_step=None):
     time_step: index into time_values(), from 0, or from the end if negative; None: the last. The whole file is read,
     with all arrays.
 
-    VTK's XML files (.vtu, .vti, .vtr, .vts, .vtp, .vtm, .vtpd, .vtpc, .pvtu, .pvti, ...), .vtk, .vtkhdf; Exodus (.ex2,
-    .exo, .e, .g), CGNS, EnSight (.case), OpenFOAM (.foam), AVS (.inp); images: MetaImage (.mha, .mhd), NRRD, NIfTI;
-    surfaces: .stl, .obj, .ply. Lists of such files by time: ParaView's .pvd and .series.
+    VTK's XML files (.vtu, .vti, .vtr, .vts, .vtp, .vtm, .vtpd, .vtpc, .vthb, .htg, .pvtu, .pvti, ...), .vtk, .vtkhdf;
+    Exodus (.ex2, .exo, .e, .g), CGNS, PLOT3D (.p3d), EnSight (.case), OpenFOAM (.foam), AVS (.inp); images: MetaImage
+    (.mha, .mhd), NRRD, NIfTI; surfaces: .stl, .obj, .ply. Lists of such files by time: ParaView's .pvd and .series.
 
     Raises FileNotFoundError, IsADirectoryError, PermissionError; ValueError for an unknown extension and a file that
     can't be read, with VTK's message; IndexError for an invalid time step.

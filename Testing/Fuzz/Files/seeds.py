@@ -4,6 +4,7 @@
 import json
 import pathlib
 import shutil
+import struct
 
 import vtkmodules.all as vtk
 
@@ -135,6 +136,17 @@ def write_seeds(folder, session):
     collection = vtk.vtkPartitionedDataSetCollection()
     collection.SetPartition(0, 0, mesh())
     seeds["vtpc"] = write(place("vtpc"), "seed.vtpc", vtk.vtkXMLPartitionedDataSetCollectionWriter(), collection)
+    leaves, levels = vtk.vtkRandomHyperTreeGridSource(), vtk.vtkAMRGaussianPulseSource()
+    leaves.SetDimensions(2, 3, 2)
+    levels.SetDimension(3)
+    for kind, writer, source in (("htg", vtk.vtkXMLHyperTreeGridWriter, leaves),
+                                 ("vthb", vtk.vtkXMLUniformGridAMRWriter, levels)):
+        source.Update()
+        seeds[kind] = write(place(kind), f"seed.{kind}", writer(), source.GetOutputDataObject(0))
+    add("p3d", "seed.p3d", '{"filenames": [{"time": 0.5, "xyz": "a.xyz", "q": "a.q"}]}')
+    corners = [i >> axis & 1 for axis in range(3) for i in range(8)]
+    (folder / "p3d" / "a.xyz").write_bytes(struct.pack("<3i24f", 2, 2, 2, *corners))
+    (folder / "p3d" / "a.q").write_bytes(struct.pack("<3i44f", 2, 2, 2, *range(44)))
     for kind in ("pvd", "series"):
         write(place(kind), "a.vti", vtk.vtkXMLImageDataWriter(), image())
         write(folder / kind, "b.vtu", vtk.vtkXMLUnstructuredGridWriter(), mesh())
