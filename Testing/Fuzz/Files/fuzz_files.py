@@ -26,9 +26,9 @@ CPU_SECONDS, WALL_SECONDS = 20, 400
 BASE_KIB = 400 * 1024  # of a process of VTK
 # Where a reader of VTK crashes, that is told; none of these is read by one.
 OURS = {"metaimage", "metaimage-deflated", "nrrd", "nrrd-text", "nhdr", "raw", "preset", "session"}
-# The reader of VTK 9.1 makes a polyhedron of as many faces as a binary legacy file says, and that of trees takes gigabytes
-# for compressed coordinates; that of CGNS repeats an error without end: see Documentation/Limits.md.
-HANGING = {"vtk-mesh-binary", "htg", "cgns-adf"}
+# The reader of VTK 9.1 makes a polyhedron of as many faces as a binary legacy file says; that of CGNS repeats an error
+# without end: see Documentation/Limits.md.
+HANGING = {"vtk-mesh-binary", "cgns-adf"}
 # The library below VTK 9.1's reader writes beyond its memory, so the program may crash later: see the same page.
 BREAKING = {"cgns-adf"}
 
