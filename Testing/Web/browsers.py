@@ -33,6 +33,14 @@ TIMEOUTS = {"script": 600_000}  # milliseconds
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the key of an element's id, WebDriver 12
 RENDERER = """const gl = document.createElement("canvas").getContext("webgl2");
     return gl && gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL)"""
+# Resolves to the title: when it becomes one of the titles, or after 200 ms.
+TITLE = """const [titles] = arguments;
+    return new Promise(done => {
+      const finish = () => { observer.disconnect(); done(document.title); };
+      const observer = new MutationObserver(() => titles.includes(document.title) && finish());
+      observer.observe(document.head, { childList: true, subtree: true });
+      setTimeout(finish, titles.includes(document.title) ? 0 : 200);
+    })"""
 TWO_FRAMES = "return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
 CONTROL_KEYS = {"Tab": "\ue004", "Enter": "\ue007", "Shift": "\ue008", "Control": "\ue009", "Escape": "\ue00c",
                 "Space": " ", "ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014",
@@ -75,7 +83,7 @@ class Browser:
 
     def wait_title(self, title, seconds):
         """Seconds from open() until the document has this title; fails at once if a script does or it is "failed"."""
-        while (shown := self.run("return document.title")) != title:
+        while (shown := self.run(TITLE, [title, "failed"])) != title:
             if shown == "failed":
                 raise RuntimeError("The page says: " + self.run("return document.body.innerText"))
             self.heard += self.new_messages()
@@ -83,7 +91,6 @@ class Browser:
                 raise RuntimeError(f"The console says: {self.heard}")
             if time.monotonic() > self.opened + seconds:
                 raise TimeoutError(f"After {seconds} s the title is {shown!r}, not {title!r}")
-            time.sleep(0.02)
         return time.monotonic() - self.opened
 
     def renderer(self):
@@ -213,7 +220,8 @@ CHROMIUM_GL = {"swiftshader": ["--use-angle=swiftshader", "--enable-unsafe-swift
 
 @contextlib.contextmanager
 def chromium(driver, folder):
-    options = ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--force-color-profile=srgb",
+    # A kiosk has no tabs and no buttons, which the processors would draw anew for each page.
+    options = ["--headless", "--kiosk", "--no-sandbox", "--disable-dev-shm-usage", "--force-color-profile=srgb",
                "--proxy-server=127.0.0.1:9", "--remote-debugging-pipe", f"--user-data-dir={folder}/profile",
                *CHROMIUM_GL[driver]]
     environment = {**os.environ, "HOME": str(folder), "LIBGL_ALWAYS_SOFTWARE": "1"}
