@@ -158,7 +158,7 @@ export class Pointer
     {
       const [width, height] = this.size;
       const {element} = this;
-      this.onpick(point[0] / width * element.width, (height - point[1]) / height * element.height);
+      this.onpick(point[0] * element.width / width, (height - point[1]) * element.height / height);
     }
     this.cancel(event);
   }
