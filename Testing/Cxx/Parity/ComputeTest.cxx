@@ -28,6 +28,11 @@ bool hasCompute(Scene& scene)
   return 10 * major + minor >= 43;
 }
 
+void expectEqual(const Image& a, const Image& b)
+{
+  EXPECT_TRUE(a.Rgba == b.Rgba) << compare(a, b, {}, 0.0, Channels::Rgb).text();
+}
+
 // The pictures in float, those of the window and what was counted.
 void expectSameByCompute(Scene& scene)
 {
@@ -40,7 +45,7 @@ void expectSameByCompute(Scene& scene)
     return scene.frame();
   };
   const Image frame = drawn(Mapper::FRAGMENT_STAGE);
-  EXPECT_EQ(frame.Rgba, drawn(Mapper::COMPUTE_STAGE).Rgba);
+  expectEqual(frame, drawn(Mapper::COMPUTE_STAGE));
   const auto counted = [&](int stage)
   {
     scene.Mapper->SetShaderStage(stage);
@@ -50,11 +55,11 @@ void expectSameByCompute(Scene& scene)
   const Image floats = counted(Mapper::FRAGMENT_STAGE);
   const vtkTypeInt64 cells = scene.Mapper->GetNumberOfCrossedCells();
   const vtkTypeInt64 lookups = scene.Mapper->GetNumberOfLookups();
-  EXPECT_EQ(floats.Rgba, counted(Mapper::COMPUTE_STAGE).Rgba);
+  expectEqual(floats, counted(Mapper::COMPUTE_STAGE));
   EXPECT_GT(cells, 0);
   EXPECT_EQ(scene.Mapper->GetNumberOfCrossedCells(), cells);
   EXPECT_EQ(scene.Mapper->GetNumberOfLookups(), lookups);
-  EXPECT_EQ(frame.Rgba, drawn(Mapper::FRAGMENT_STAGE).Rgba);
+  expectEqual(frame, drawn(Mapper::FRAGMENT_STAGE));
   scene.Mapper->SetShaderStageToAutomatic();
 }
 
