@@ -71,6 +71,7 @@ use_compiler_cache() {
   export CMAKE_CXX_COMPILER_LAUNCHER="${CMAKE_CXX_COMPILER_LAUNCHER-ccache}"
   export CCACHE_BASEDIR="${CCACHE_BASEDIR-$ROOT}" CCACHE_NOHASHDIR=1
   export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS-pch_defines,time_macros}" # for precompiled headers
+  export CCACHE_INODECACHE=1 # a precompiled header has 100 MB, which each object would read again
 }
 
 prepare_machine() {
