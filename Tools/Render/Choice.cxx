@@ -40,7 +40,8 @@ void TakePreset(
 VolumeData ReadInput(const CommandLine& commandLine, std::optional<int> timeStep)
 {
   return ReadVolume(commandLine.Input, timeStep, commandLine.Raw,
-    { commandLine.Array, commandLine.ArrayAssociation, !commandLine.Nearest.value_or(true) });
+    { commandLine.Array, commandLine.ArrayAssociation, !commandLine.Nearest.value_or(true),
+      commandLine.Curves });
 }
 
 vtkSmartPointer<vtkTetMarchFirstPicture> ChooseArray(

@@ -10,6 +10,7 @@
 #include "CutOptions.h"
 #include "LightOptions.h"
 #include "RawImage.h"
+#include "VolumeData.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkTetMarchSettings.h"
@@ -84,10 +85,11 @@ struct CommandLine
   std::optional<int> TileSize;   // of a picture in tiles; none: chosen by GetLargestTile()
   std::optional<TimeRange> Time; // a picture of each
   int Turntable = 0;             // pictures all around; 0: one picture
-  std::optional<bool>
-    Nearest; // interpolation of these; linear by default, of adaptive meshes nearest
-  std::optional<double> SampleDistance; // of the level Sampled; by default that of the mapper
-  bool Jitter = false;                  // of its first samples
+  // Interpolation of these; linear by default, of adaptive meshes nearest.
+  std::optional<bool> Nearest;
+  std::optional<CurveTolerances> Curves; // none: curved cells are linear between their points
+  std::optional<double> SampleDistance;  // of the level Sampled; by default that of the mapper
+  bool Jitter = false;                   // of its first samples
   CutOptions Cuts;
   LightOptions Light;
   std::vector<std::string> Surfaces; // files

@@ -240,6 +240,11 @@ void CheckOptionsOfData(const CommandLine& commandLine, const VolumeData& data)
     throw Failure("--interpolation is for images, rectilinear grids and adaptive meshes, but " +
                   input + " is drawn as an unstructured grid");
   }
+  if (data.Structured && commandLine.Curves)
+  {
+    throw Failure("--tessellate is for meshes of curved cells, but " + input +
+                  " has images or rectilinear grids");
+  }
   if (!data.Structured && IsSampled(commandLine))
   {
     throw Failure("--accuracy sampled and --sample-distance are for images and rectilinear grids, "
