@@ -43,8 +43,10 @@ NOT_PASTED = {  # by regular expression
     "PYTHONPATH=build/lib/python3/dist-packages mpiexec -n 4 /usr/bin/python3 parallel.py": "ExamplesTest.py pastes it",
     r"python3 Testing/Processes/(measure_(pieces|hidden)\.py FOLDER|simulate_exchange\.py)": "takes ten minutes; PicturesTest.py draws smaller ones",
 }
-# Pasted with the second in the place of the first: 133 million tetrahedra take three minutes.
-SMALLER = (("lattice:281,lattice:282", "lattice:11,lattice:12"),)
+# Pasted with the second in the place of the first: 133 million tetrahedra take minutes.
+SMALLER = (("lattice:281,lattice:282", "lattice:11,lattice:12"),
+           ("Testing/Benchmark/write_leaves.py shell.vthb",
+            f"{PROJECT}/Testing/Benchmark/write_leaves.py shell.vthb --cells 8 --side 4"))
 # Of Google Benchmark, pip and ParaView, not of ours.
 OTHER_OPTIONS = {"--benchmark_filter", "--config-settings", "--tdx", "--tdy"}
 # Programs of tests run by themselves; here they are only asked which tests they would run.
