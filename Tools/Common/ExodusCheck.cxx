@@ -14,11 +14,6 @@ namespace
 {
 using namespace tetmarch;
 
-[[noreturn]] void Refuse(const std::string& path, const std::string& what)
-{
-  throw Failure("cannot read '" + path + "': " + what);
-}
-
 std::uint64_t GetDimension(const NetCdfHeader& header, const std::string& name)
 {
   const auto found = header.Dimensions.find(name);
@@ -42,7 +37,7 @@ void CheckIds(const std::string& path, const std::string& name, const NetCdfVari
       [&](Id id) { return id < 1 || static_cast<std::uint64_t>(id) > number; });
     if (wrong != ids.begin() + static_cast<std::ptrdiff_t>(part))
     {
-      Refuse(path,
+      RefuseFile(path,
         "'" + name + "' names point " + std::to_string(*wrong) + " of " + std::to_string(number));
     }
     left -= part;
@@ -71,7 +66,8 @@ void CheckBlock(const std::string& path, const NetCdfHeader& header, const std::
   constexpr int ofInt64 = 10;
   if (variable.Dimensions != dimensions || (variable.Type != ofInt && variable.Type != ofInt64))
   {
-    Refuse(path, "'" + name + "' is not of " + dimensions[0] + " times " + dimensions[1] + " ids");
+    RefuseFile(
+      path, "'" + name + "' is not of " + dimensions[0] + " times " + dimensions[1] + " ids");
   }
   const std::uint64_t points = GetDimension(header, "num_nodes");
   variable.Type == ofInt ? CheckIds<std::int32_t>(path, name, variable, points)
@@ -92,7 +88,8 @@ void CheckExodus(const std::string& path)
   const std::uint64_t blocks = GetDimension(header, "num_el_blk");
   if (blocks > header.Variables.size() + header.Dimensions.size())
   {
-    Refuse(path, "its header tells of " + std::to_string(blocks) + " blocks without their sizes");
+    RefuseFile(
+      path, "its header tells of " + std::to_string(blocks) + " blocks without their sizes");
   }
   std::uint64_t cells = 0;
   for (std::uint64_t block = 1; block <= blocks; ++block)
@@ -102,8 +99,8 @@ void CheckExodus(const std::string& path)
   }
   if (cells != GetDimension(header, "num_elem"))
   {
-    Refuse(path, "its blocks have " + std::to_string(cells) + " cells, but all of it has " +
-                   std::to_string(GetDimension(header, "num_elem")));
+    RefuseFile(path, "its blocks have " + std::to_string(cells) + " cells, but all of it has " +
+                       std::to_string(GetDimension(header, "num_elem")));
   }
 }
 

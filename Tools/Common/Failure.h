@@ -8,6 +8,7 @@
 #define tetmarch_Failure_h
 
 #include <stdexcept>
+#include <string>
 
 namespace tetmarch
 {
@@ -23,6 +24,11 @@ struct Failure : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+[[noreturn]] inline void RefuseFile(const std::string& path, const std::string& reason)
+{
+  throw Failure("cannot read '" + path + "': " + reason);
+}
 
 /// Whoever asked for the work wants it no more.
 struct Cancelled : std::runtime_error

@@ -46,6 +46,12 @@ vtkSmartPointer<Reader> MakeReaderOf(const std::string& path)
   return reader;
 }
 
+[[maybe_unused, noreturn]] void RefuseUnbuilt(const std::string& path, const std::string& reader)
+{
+  tetmarch::RefuseFile(
+    path, "this " + tetmarch::GetProgramName() + " was built without VTK's " + reader);
+}
+
 /// The libraries below the Exodus and CGNS readers print by themselves, or end the process, when
 /// they are given another kind of file.
 [[maybe_unused]] void CheckBeginning(
@@ -133,8 +139,7 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(const std::string& path)
   reader->SetGenerateObjectIdCellArray(0);
   return reader;
 #else
-  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
-                          " was built without VTK's Exodus reader (component IOExodus)");
+  RefuseUnbuilt(path, "Exodus reader (component IOExodus)");
 #endif
 }
 
@@ -154,8 +159,7 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNSReader(const std::string& path)
   reader->EnableAllCellArrays();
   return reader;
 #else
-  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
-                          " was built without VTK's CGNS reader (component IOCGNSReader)");
+  RefuseUnbuilt(path, "CGNS reader (component IOCGNSReader)");
 #endif
 }
 
@@ -166,8 +170,7 @@ vtkSmartPointer<vtkAlgorithm> MakePlot3DReader(const std::string& path)
   return MakeReaderOf<vtkPlot3DMetaReader>(
     std::filesystem::absolute(path).string()); // of one without a folder it takes the root's
 #else
-  throw tetmarch::Failure("cannot read '" + path + "': this " + tetmarch::GetProgramName() +
-                          " was built without VTK's PLOT3D reader (component IOParallel)");
+  RefuseUnbuilt(path, "PLOT3D reader (component IOParallel)");
 #endif
 }
 

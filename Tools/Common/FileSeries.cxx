@@ -22,21 +22,16 @@ namespace
 {
 using namespace tetmarch;
 
-[[noreturn]] void Refuse(const std::string& path, const std::string& reason)
-{
-  throw Failure("cannot read '" + path + "': " + reason);
-}
-
 std::string FindFile(const std::string& path, const std::string& listed)
 {
   if (listed.empty())
   {
-    Refuse(path, "it lists a file without a name");
+    RefuseFile(path, "it lists a file without a name");
   }
   const std::string found = (std::filesystem::path(path).parent_path() / listed).string();
   if (IsSeriesFile(found))
   {
-    Refuse(path, "it lists '" + listed + "', which is a list of files itself");
+    RefuseFile(path, "it lists '" + listed + "', which is a list of files itself");
   }
   return found;
 }
@@ -51,7 +46,7 @@ public:
   {
     if (this->Steps.empty())
     {
-      Refuse(path, "it lists no files");
+      RefuseFile(path, "it lists no files");
     }
     FileSeries series;
     series.HasTimes = hasTimes;
@@ -74,7 +69,7 @@ double ParseTime(const std::string& path, const char* text)
   const double time = std::strtod(text, &end);
   if (end == text || *end != '\0' || !std::isfinite(time))
   {
-    Refuse(path, "'" + std::string(text) + "' is no time");
+    RefuseFile(path, "'" + std::string(text) + "' is no time");
   }
   return time;
 }
@@ -104,8 +99,8 @@ FileSeries ReadPvd(const std::string& path)
   vtkXMLDataElement* list = root ? root->FindNestedElementWithName("Collection") : nullptr;
   if (!list)
   {
-    Refuse(path, parsed ? "it has no element <Collection> that lists files"
-                        : "it is no XML (" + error.Get() + ")");
+    RefuseFile(path, parsed ? "it has no element <Collection> that lists files"
+                            : "it is no XML (" + error.Get() + ")");
   }
   Collector collector;
   bool hasTimes = false;
@@ -129,12 +124,12 @@ FileSeries ReadJson(const std::string& path)
   const nlohmann::json list = nlohmann::json::parse(file, nullptr, false);
   if (list.is_discarded())
   {
-    Refuse(path, "it is no JSON");
+    RefuseFile(path, "it is no JSON");
   }
   const auto files = list.is_object() ? list.find("files") : list.end();
   if (!list.is_object() || files == list.end() || !files->is_array())
   {
-    Refuse(path, "it has no list \"files\"");
+    RefuseFile(path, "it has no list \"files\"");
   }
   Collector collector;
   for (const nlohmann::json& entry : *files)
@@ -143,7 +138,8 @@ FileSeries ReadJson(const std::string& path)
                        entry.contains("time") && entry["time"].is_number();
     if (!sound)
     {
-      Refuse(path, "each entry of \"files\" needs a \"name\", a text, and a \"time\", a number");
+      RefuseFile(
+        path, "each entry of \"files\" needs a \"name\", a text, and a \"time\", a number");
     }
     const std::string name = entry["name"].get<std::string>();
     collector.Add(entry["time"].get<double>(), { FindFile(path, name), {}, 0 });

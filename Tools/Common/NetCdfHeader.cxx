@@ -53,10 +53,7 @@ public:
   }
 
 private:
-  [[noreturn]] void Refuse(const std::string& what) const
-  {
-    throw Failure("cannot read '" + this->Path + "': " + what);
-  }
+  [[noreturn]] void Refuse(const std::string& what) const { RefuseFile(this->Path, what); }
 
   std::uint64_t ReadNumber(int bytes)
   {

@@ -14,11 +14,6 @@ namespace
 {
 using nlohmann::json;
 
-[[noreturn]] void Refuse(const std::string& path, const std::string& what)
-{
-  throw tetmarch::Failure("cannot read '" + path + "': " + what);
-}
-
 void CheckTypes(const std::string& path, const json& list)
 {
   static const std::map<std::string, bool (*)(const json&)> typeOf = {
@@ -50,7 +45,7 @@ void CheckTypes(const std::string& path, const json& list)
     const auto value = list.find(name);
     if (value != list.end() && !isRight(*value))
     {
-      Refuse(path, "the value of \"" + name + "\" is of a wrong type");
+      tetmarch::RefuseFile(path, "the value of \"" + name + "\" is of a wrong type");
     }
   }
 }
@@ -61,7 +56,8 @@ void CheckFiles(const std::string& path, const json& step)
     step.is_object() && step.contains("time") && step["time"].is_number() && step.contains("xyz");
   if (!sound)
   {
-    Refuse(path, "each entry of \"filenames\" needs a \"time\", a number, and an \"xyz\"");
+    tetmarch::RefuseFile(
+      path, "each entry of \"filenames\" needs a \"time\", a number, and an \"xyz\"");
   }
   for (const char* kind : { "xyz", "q", "function" })
   {
@@ -72,12 +68,12 @@ void CheckFiles(const std::string& path, const json& step)
     }
     if (!name->is_string())
     {
-      Refuse(path, std::string("the name of a file \"") + kind + "\" is no text");
+      tetmarch::RefuseFile(path, std::string("the name of a file \"") + kind + "\" is no text");
     }
     const auto file = std::filesystem::path(path).parent_path() / name->get<std::string>();
     if (!std::filesystem::is_regular_file(file))
     {
-      Refuse(path, "it lists '" + name->get<std::string>() + "', which isn't there");
+      tetmarch::RefuseFile(path, "it lists '" + name->get<std::string>() + "', which isn't there");
     }
   }
 }
@@ -89,13 +85,13 @@ void tetmarch::CheckPlot3D(const std::string& path)
   const json list = json::parse(file, nullptr, false, true);
   if (!list.is_object())
   {
-    Refuse(path, "it is no JSON object");
+    tetmarch::RefuseFile(path, "it is no JSON object");
   }
   CheckTypes(path, list);
   const auto files = list.find("filenames");
   if (files == list.end() || !files->is_array() || files->empty())
   {
-    Refuse(path, "it has no list \"filenames\"");
+    tetmarch::RefuseFile(path, "it has no list \"filenames\"");
   }
   for (const json& step : *files)
   {

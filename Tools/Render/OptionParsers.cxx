@@ -6,6 +6,9 @@
 #include "Numbers.h"
 #include "OptionValues.h"
 
+#include "vtkNew.h"
+#include "vtkTetMarchTessellator.h"
+
 #include <algorithm>
 
 namespace tetmarch
@@ -144,7 +147,7 @@ CurveTolerances ParseCurveTolerances(const std::string& value)
   {
     throw UsageError("expected numbers from 1e-6 to 1");
   }
-  constexpr double ofScalar = 2e-3;
+  const double ofScalar = vtkNew<vtkTetMarchTessellator>()->GetScalarTolerance();
   return { values[0], values.size() > 1 ? values[1] : ofScalar };
 }
 
