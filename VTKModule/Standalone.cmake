@@ -29,7 +29,7 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 
 set(tetmarch_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersGeometry
-  IOExport ParallelCore RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
+  FiltersHyperTree IOExport ParallelCore RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
   RenderingVolumeOpenGL2 jsoncpp vtksys zlib)
 list(JOIN tetmarch_vtk_components " " tetmarch_library_components) # those that other projects need
 if (TETMARCH_WRAP_PYTHON)
@@ -38,7 +38,7 @@ if (TETMARCH_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
-    ChartsCore FiltersGeneral FiltersHyperTree FiltersSources FiltersHybrid GUISupportQt ImagingCore
+    ChartsCore FiltersGeneral FiltersSources FiltersHybrid GUISupportQt ImagingCore
     InteractionStyle InteractionWidgets IOCGNSReader IOExodus IOImage IOLegacy IOParallel IOXML
     RenderingContextOpenGL2 TestingRendering ViewsContext2D)
 

@@ -67,7 +67,7 @@ bool vtkTetMarchFirstPicture::CheckData()
   {
     found.forget();
     found.Time = time;
-    found.Fault = tetmarch::checkBlocks(found.Data);
+    found.Fault = found.check();
     found.IsChecked = true;
   }
   if (!found.Fault.empty())
@@ -85,16 +85,26 @@ bool vtkTetMarchFirstPicture::ListFaults(vtkStringArray* faults)
     return false;
   }
   faults->Initialize();
-  for (const std::string& fault : tetmarch::listFaults(this->Found->Data))
+  std::string wrong;
+  const auto drawn = this->Found->Leaves.replaceTrees(this->Found->Data, wrong);
+  for (const std::string& fault :
+    drawn ? tetmarch::listFaults(drawn) : std::vector<std::string>{ wrong })
   {
     faults->InsertNextValue(fault);
   }
   return true;
 }
 
+std::string vtkTetMarchFirstPicture::Internals::check()
+{
+  std::string error;
+  this->Drawn = this->Leaves.replaceTrees(this->Data, error);
+  return this->Drawn ? tetmarch::checkBlocks(this->Drawn) : error;
+}
+
 void vtkTetMarchFirstPicture::Internals::findBlocks()
 {
-  this->Owned = tetmarch::drawnBlocks(this->Data);
+  this->Owned = tetmarch::drawnBlocks(this->Drawn);
   this->Blocks.assign(this->Owned.begin(), this->Owned.end());
   // The blocks that mappers draw, unless there are none.
   std::vector<vtkDataSet*> solid;

@@ -7,6 +7,7 @@
 #include "FirstPicture/Crossings.h"
 #include "FirstPicture/DrawnArray.h"
 #include "FirstPicture/PicturePlane.h"
+#include "Input/LeafGrids.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
@@ -22,6 +23,8 @@
 struct vtkTetMarchFirstPicture::Internals
 {
   vtkSmartPointer<vtkDataObject> Data;
+  tetmarch::LeafGrids Leaves;
+  vtkSmartPointer<vtkDataObject> Drawn; // with grids of leaves in place of trees; set by check()
   vtkMTimeType Time = 0; // of the data when it was checked, and its blocks were listed
   bool IsChecked = false;
   std::string Fault; // of the data
@@ -41,6 +44,7 @@ struct vtkTetMarchFirstPicture::Internals
   {
     this->IsChecked = false;
     this->Fault.clear();
+    this->Drawn = nullptr;
     this->Blocks.clear();
     this->Owned.clear();
     this->Outline.clear();
@@ -50,6 +54,7 @@ struct vtkTetMarchFirstPicture::Internals
     this->HasFunctions = false;
   }
 
+  std::string check();
   void findBlocks();
   // The visible part of images and rectilinear grids; all if nothing is visible, and of other data.
   std::vector<tetmarch::Vector3> findShown(vtkPiecewiseFunction* opacity, bool structuredLaw) const;

@@ -11,6 +11,7 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkExplicitStructuredGrid.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -28,7 +29,7 @@ namespace
 bool isJoined(vtkDataObject* input)
 {
   return vtkCompositeDataSet::SafeDownCast(input) || vtkStructuredGrid::SafeDownCast(input) ||
-         vtkExplicitStructuredGrid::SafeDownCast(input);
+         vtkExplicitStructuredGrid::SafeDownCast(input) || vtkHyperTreeGrid::SafeDownCast(input);
 }
 } // namespace
 
@@ -146,7 +147,7 @@ double* vtkTetMarchVolumeMapper::GetOwnBounds()
     return this->Superclass::GetBounds();
   }
   this->Update();
-  tetmarch::boundBlocks(input, this->Bounds);
+  this->Internal->Blocks.findBounds(input, this->Bounds);
   return this->Bounds;
 }
 
@@ -154,8 +155,8 @@ double* vtkTetMarchVolumeMapper::GetOwnBounds()
 int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  for (const char* type :
-    { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" })
+  for (const char* type : { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkHyperTreeGrid",
+         "vtkDataObjectTree", "vtkUniformGridAMR" })
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   }

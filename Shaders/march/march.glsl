@@ -213,13 +213,27 @@ bool isFinished(March march)
 #endif
 }
 
-// Marches from the ray's entry into the volume to its exit, which becomes the place. thicknessPerDepth is the
-// thickness, in scalar opacity unit distances, of a unit of depth.
-void marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
+CONSTANT int STEPS_OF_RUN = 16;
+
+// The number of steps at which the march comes back. Rays of a group leave the mesh at different times, and those that
+// have left wait for the others before they search their next entry: not for longer than a run.
+int lastStepOfRun(March march)
+{
+#if TETMARCH_REENTERED
+  return min(march.stepsTaken + STEPS_OF_RUN, mostSteps);
+#else
+  return mostSteps;
+#endif
+}
+
+// Marches from the ray's entry into the volume to its exit, which becomes the place, or to the end of a run: then it
+// returns true. thicknessPerDepth is the thickness, in scalar opacity unit distances, of a unit of depth.
+bool marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
 {
   CellInterval cell = beginCellInterval(ray, place);
+  int last = lastStepOfRun(march);
   bool onward = true;
-  while (onward && march.stepsTaken < mostSteps)
+  while (onward && march.stepsTaken < last)
   {
     onward = passToSeenCell(ray, depthEnd, place, cell, march);
     keepTransmittance(march);
@@ -229,6 +243,7 @@ void marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real
     onward = onward && !march.finished;
     onward = goesOnAfter(cell, onward, march);
   }
+  return onward;
 }
 
 #if TETMARCH_VISITS
@@ -278,7 +293,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
 #endif
     if (onward)
     {
-      marchToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march);
+      onward = marchToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march);
     }
 #if TETMARCH_SAMPLED_SHADOWS
     if (march.pause.due)
@@ -287,7 +302,10 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
     }
     march.pause.ended = false;
 #endif
-    countRefusal(traversal.entered, march);
-    leaveVolume(ray, march.finished, traversal);
+    if (!onward)
+    {
+      countRefusal(traversal.entered, march);
+      leaveVolume(ray, march.finished, traversal);
+    }
   }
 }

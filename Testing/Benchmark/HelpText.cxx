@@ -18,9 +18,9 @@ prints a table in Markdown and, on request, writes all figures as JSON.
   structured                images: vtkTetMarchSmartVolumeMapper compared with VTK's mappers, with errors
 
   --datasets A,B,...        of lattice162k, lattice1.3m, lattice6m, lattice:N (6 N^3 tetrahedra), golfball,
-                            golfball-slab, golfball-wake, cheese, cheese:N (not convex), front1.3m, front:N (a sharp
-                            front), refined:N (one smooth wave), and, if --more-data has them, wheelset, crushed-can
-                            (solid parts), golfball-medium, bluntfin, oxygen
+                            golfball-slab, golfball-wake, cheese, cheese:N (not convex), hanging:N (one cube of 20 is cut
+                            into eight), front1.3m, front:N (a sharp front), refined:N (one smooth wave), and, if
+                            --more-data has them, wheelset, crushed-can (solid parts), golfball-medium, bluntfin, oxygen
                             (default: the first three, golfball, golfball-slab, golfball-wake, cheese, wheelset,
                             crushed-can)
   --functions A,B,...       of own (of all but front, refined and flows of others), smooth, ramp, spikes (default: own)

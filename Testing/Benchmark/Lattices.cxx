@@ -27,10 +27,11 @@ Dataset makeLattice(int size, const testing::Field& field)
 
 /// Two and a half waves an edge make the scalar turn several times along it. A ray through the cube
 /// is absorbed by about three quarters.
+constexpr double Waves = 2.5;
+
 Dataset makeWaves(int size)
 {
-  constexpr double waves = 2.5;
-  Dataset dataset = makeLattice(size, testing::sineField(waves));
+  Dataset dataset = makeLattice(size, testing::sineField(Waves));
   dataset.Own = wavesProperty(dataset.Range.UnitDistance);
   return dataset;
 }
@@ -49,6 +50,15 @@ Dataset makeCheese(int size)
       const auto along = [&](int k) { return p[k] - (std::floor(holes * p[k]) + 0.5) / holes; };
       return std::hypot(along(0), along(1), along(2)) > radius;
     });
+  return dataset;
+}
+
+/// Every twentieth cube is cut into eight: one face of ten has hanging nodes.
+Dataset makeHanging(int size)
+{
+  Dataset dataset = makeWaves(1);
+  dataset.Grid =
+    withOnly(testing::refinedCubes(size, 20, Seed, testing::sineField(Waves)), dataset.Array);
   return dataset;
 }
 
@@ -89,7 +99,8 @@ std::optional<Lattice> latticeOf(const std::string& name)
     { "lattice1.3m", { makeWaves, 60 } }, { "lattice6m", { makeWaves, 100 } },
     { "front1.3m", { makeFront, 60 } }, { "cheese", { makeCheese, 60 } } };
   static const std::map<std::string, Dataset (*)(int)> families = { { "lattice", makeWaves },
-    { "cheese", makeCheese }, { "front", makeFront }, { "refined", makeRefined } };
+    { "cheese", makeCheese }, { "hanging", makeHanging }, { "front", makeFront },
+    { "refined", makeRefined } };
   const auto found = named.find(name);
   if (found != named.end())
   {

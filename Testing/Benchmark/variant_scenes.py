@@ -14,7 +14,7 @@ FEATURES = frozenset("""
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT FEW_LIGHTS WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS LIGHT_TOLERANCE LIGHT_THROUGH_CUTS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION
     SHOW_ILLUMINATION SHOW_GRADIENTS STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
-    CURVILINEAR CORNER_SCALARS
+    REENTERED CURVILINEAR CORNER_SCALARS
     """.split())
 ARRAY = "field"
 CUBES = 4
@@ -69,13 +69,16 @@ class VariantScene:
             return self.one_of(2, 3, 4)
         return 2 if self.has("COLOR_AND_OPACITY") else 4 if self.has("DIRECT_COLOR") else 1
 
+    def is_reentered(self):
+        return self.has("BVH") or self.has("REENTERED") and not self.has("VISIBLE_PART")
+
     def make_grid(self):
         if self.has("CURVILINEAR"):
             places = grids.lattice_points(CUBES, grids.JITTER, 1)
-            if self.has("BVH"):  # not convex
+            if self.is_reentered():  # not convex
                 places[:, 1] += 0.2 * np.sin(np.pi * places[:, 0])
             return grids.curvilinear(places, CUBES)
-        return grids.lattice(CUBES, grids.outside_a_hole if self.has("BVH") else None)
+        return grids.lattice(CUBES, grids.outside_a_hole if self.is_reentered() else None)
 
     def set_grid(self):
         grid = self.make_grid()

@@ -9,6 +9,7 @@
 #include "vtkMath.h"
 
 #include <cmath>
+#include <random>
 
 namespace tetmarch::testing
 {
@@ -92,6 +93,28 @@ Grid hangingNodes(int n, double bulge, const Field& field)
       {
         const double side = (j + k) % 4 < 2 ? 1.0 : -1.0;
         builder.move(builder.at(n, j, k), { 0.5 + side * bulge * fine, j * fine, k * fine });
+      }
+    }
+  }
+  return builder.finish(field);
+}
+
+Grid refinedCubes(int n, unsigned oneIn, unsigned seed, const Field& field)
+{
+  std::mt19937 random(seed);
+  const double fine = 0.5 / n;
+  GridBuilder builder({ fine, fine, fine });
+  for (int k = 0; k < 2 * n; k += 2)
+  {
+    for (int j = 0; j < 2 * n; j += 2)
+    {
+      for (int i = 0; i < 2 * n; i += 2)
+      {
+        const int edge = random() % oneIn == 0 ? 1 : 2;
+        for (int b = 0; b < 8 / (edge * edge * edge); ++b)
+        {
+          addKuhnTets(builder, cubeAt(builder, i + (b & 1), j + (b >> 1 & 1), k + (b >> 2), edge));
+        }
       }
     }
   }

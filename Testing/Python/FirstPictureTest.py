@@ -179,6 +179,20 @@ class FirstPictureTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "Block number 2: Coordinate 0"):
             vtktetmarch.auto_transfer_functions(tree)
 
+    def test_trees_are_their_leaves(self):
+        source = vtk.vtkRandomHyperTreeGridSource()
+        source.SetDimensions(3, 3, 3)
+        source.Update()
+        trees = source.GetHyperTreeGridOutput()
+        leaves = vtk.vtkHyperTreeGridToUnstructuredGrid()
+        leaves.SetInputData(trees)
+        leaves.Update()
+        self.assertEqual(chosen_for(trees).Describe(), chosen_for(leaves.GetOutput()).Describe())
+        trees.GetCellData().GetArray("Depth").SetNumberOfTuples(5)
+        trees.GetCellData().Modified()
+        with self.assertRaisesRegex(ValueError, '"Depth" has 5 tuples, but the tree has .* cells'):
+            vtktetmarch.volume(trees)
+
     def test_curvilinear_grids_are_checked_before_they_become_cells(self):
         grid = vtk.vtkStructuredGrid()
         grid.SetDimensions(6, 6, 6)

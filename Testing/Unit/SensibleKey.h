@@ -26,6 +26,9 @@ inline bool isSensible(const VariantKey& k)
   const bool ofTetrahedra =
     k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells || k.Curvilinear;
   return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Leaps)) &&
+         // Who enters a part by a list enters it again.
+         !(k.Reentered && (!k.EntryLists || k.Blend == BlendGroup::Isosurfaces)) &&
+         !(k.VisiblePart && composite && !k.Reentered) &&
          // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
          // there are blocks of it.
          !(k.Leaps && (ofScalars || (!composite && !k.PointScalars))) &&

@@ -43,7 +43,7 @@ SCENES = {
 # Features of the key that no page has when it is written: it lists entries by itself, is drawn at once, without fused
 # arithmetic, and shows the picture alone. Light within a tolerance takes browsers without a GPU minutes.
 IN_NO_PAGE = {"ENTRY_LISTS", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION",
-              "SHOW_GRADIENTS", "SPLIT_CELLS", "LIGHT_TOLERANCE"}
+              "SHOW_GRADIENTS", "SPLIT_CELLS", "LIGHT_TOLERANCE", "REENTERED"}
 
 
 def draw(program, tests, **variables):

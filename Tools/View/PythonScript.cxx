@@ -101,11 +101,6 @@ std::string WriteData(const DataState& data, bool structured)
             std::to_string(data.TimeStep) + "])\n";
   }
   text += "reader.Update()\ndata = reader.GetOutputDataObject(0)\n";
-  if (GetEnding(data.File) == ".htg")
-  {
-    text += "leaves = vtk.vtkHyperTreeGridToUnstructuredGrid()\n"
-            "leaves.SetInputData(data)\nleaves.Update()\ndata = leaves.GetOutput()\n";
-  }
   if (!structured)
   {
     text += "if not isinstance(data, (vtk.vtkUnstructuredGrid, vtk.vtkStructuredGrid, "

@@ -10,6 +10,7 @@
 #include "Scalars/DrawnScalars.h"
 
 #include "vtkCellData.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
@@ -65,8 +66,10 @@ std::string checkBlock(const Block& block)
 void JoinedBlocks::clear()
 {
   const StageRecord record = this->Record;
+  LeafGrids leaves = std::move(this->Leaves);
   *this = {};
   this->Record = record;
+  this->Leaves = std::move(leaves);
 }
 
 // Choose the blocks that are drawn.
@@ -206,14 +209,41 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
 
 std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& selection)
 {
-  const std::string shortage =
-    withinMemory("joining the blocks", [&] { this->joinChanged(input, selection); });
+  const std::string shortage = withinMemory("joining the blocks",
+    [&]
+    {
+      std::string error;
+      const auto blocks = this->Leaves.replaceTrees(input, error);
+      if (blocks)
+      {
+        this->joinChanged(blocks, selection);
+      }
+      else
+      {
+        this->clear();
+        this->Error = error;
+      }
+    });
   if (!shortage.empty())
   {
     this->clear();
     return shortage;
   }
   return this->Error;
+}
+
+void JoinedBlocks::findBounds(vtkDataObject* input, double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  std::string error; // update() tells of it
+  const std::string shortage = withinMemory("the leaves of trees",
+    [&]
+    {
+      if (const auto blocks = this->Leaves.replaceTrees(input, error))
+      {
+        boundBlocks(blocks, bounds);
+      }
+    });
 }
 
 void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& selection)

@@ -9,6 +9,7 @@
 #include "Blocks/BlockList.h"
 #include "Blocks/CellOrigins.h"
 #include "Caching/StageRecord.h"
+#include "Input/LeafGrids.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -22,10 +23,13 @@ namespace tetmarch
 class JoinedBlocks
 {
 public:
-  /** Join the blocks that have the chosen array. If only the scalars changed, only these are joined
-   * again. Returns an empty string, or an error with its remedy; the grid is then null. */
+  /** Join the blocks that have the chosen array, of trees their leaves. If only the scalars
+   * changed, only these are joined again. Returns an empty string, or an error with its remedy; the
+   * grid is then null. */
   std::string update(vtkDataObject* input, const ScalarSelection& selection);
   void clear();
+  /** The box of the points of these blocks; not initialised if there are none. */
+  void findBounds(vtkDataObject* input, double bounds[6]);
 
   /** Shared points (sharePoints) are merged, unless their scalars have ever differed between
    * blocks: then each block has its own. Null if no block has 3D cells. */
@@ -58,6 +62,7 @@ private:
   vtkSmartPointer<vtkDataArray> Scalars;
   bool CellScalars = false;
   std::string Omissions;
+  LeafGrids Leaves;
   StageRecord Record;
 };
 

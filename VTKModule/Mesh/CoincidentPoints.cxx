@@ -6,6 +6,7 @@
 #include "Input/CellTypes.h"
 #include "Input/PointCheck.h"
 #include "Mesh/PieceOptions.h"
+#include "Parallel/HugePages.h"
 #include "Parallel/ParallelFor.h"
 
 #include "vtkCellArray.h"
@@ -50,7 +51,7 @@ public:
   std::vector<Id> findFirsts()
   {
     this->fillBuckets();
-    std::vector<Id> firsts(this->Count);
+    auto firsts = filledWith<Id>(this->Count);
     std::iota(firsts.begin(), firsts.end(), Id(0));
     std::atomic<bool> any(false);
     parallelFor(0, static_cast<vtkIdType>(this->Starts.size()) - 1,
@@ -103,7 +104,7 @@ private:
   // Ascending points in each bucket.
   void fillBuckets()
   {
-    std::vector<std::uint32_t> hashes(this->Count);
+    auto hashes = filledWith<std::uint32_t>(this->Count);
     parallelFor(0, static_cast<vtkIdType>(this->Count),
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -118,7 +119,7 @@ private:
       ++this->Starts[this->bucketOf(hash) + 1];
     }
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-    this->Buckets.resize(this->Count);
+    this->Buckets = filledWith<Hashed>(this->Count);
     std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
     for (std::size_t i = 0; i < this->Count; ++i)
     {

@@ -7,6 +7,7 @@
 #include "Input/GridCheck.h"
 #include "Mesh/CellCutter.h"
 #include "Mesh/CoincidentPoints.h"
+#include "Parallel/HugePages.h"
 #include "Parallel/ParallelFor.h"
 
 #include "vtkCellType.h"
@@ -127,8 +128,8 @@ std::string decompose(vtkUnstructuredGrid* grid, const Progress& progress, Decom
   }
   const vtkIdType ranges = std::min<vtkIdType>(64, cells / 1024 + 1);
   const vtkIdType portion = 8; // number of ranges between two reports of progress
-  result.Tets.reserve(cells);
-  result.Cells.reserve(cells);
+  result.Tets = roomFor<std::array<Id, 4>>(cells);
+  result.Cells = roomFor<Id>(cells);
   for (vtkIdType begin = 0; begin < ranges; begin += portion)
   {
     const vtkIdType end = std::min(begin + portion, ranges);

@@ -4,6 +4,7 @@
 
 #include "Mesh/ConsistentOrientation.h"
 #include "Mesh/Orientation.h"
+#include "Parallel/HugePages.h"
 
 #include <algorithm>
 #include <mutex>
@@ -31,7 +32,7 @@ std::uint64_t makeKey(Id middle, Id largest) { return std::uint64_t(middle) << 3
 // that rank.
 std::vector<Id> startsByRank(const TetMesh& mesh, int rank)
 {
-  std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
+  auto starts = filledWith<Id>(mesh.Vertices.size() + 1);
   for (const auto& tet : mesh.Tets)
   {
     ++starts[tet[rank] + 1];
@@ -51,7 +52,7 @@ SecondVertexLists listBySecond(const TetMesh& mesh)
 {
   SecondVertexLists lists;
   lists.Starts = startsByRank(mesh, 1);
-  lists.Tets.resize(mesh.Tets.size());
+  lists.Tets = filledWith<Id>(mesh.Tets.size());
   std::vector<Id> next(lists.Starts.begin(), lists.Starts.end() - 1);
   for (Id t = 0; t < mesh.numberOfTets(); ++t)
   {
@@ -75,7 +76,7 @@ public:
 
   bool match(const Progress& progress)
   {
-    this->Mesh.Links.stored().assign(4 * this->Mesh.Tets.size(), Unlinked);
+    this->Mesh.Links.stored() = filledWith(4 * this->Mesh.Tets.size(), Unlinked);
     return parallelFor(static_cast<vtkIdType>(this->Mesh.Vertices.size()), progress,
       [this](vtkIdType first, vtkIdType last) { this->matchRange(first, last); });
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/Renumbering.h"
 
+#include "Parallel/HugePages.h"
 #include "Parallel/ParallelFor.h"
 
 #include "vtkPoints.h"
@@ -39,8 +40,8 @@ std::uint64_t mortonCode(const Vertex& v)
 // The order of the keys, by a stable radix sort with 11 bits per pass.
 std::vector<Id> sortedOrder(const std::vector<std::uint64_t>& keys)
 {
-  std::vector<Id> order(keys.size());
-  std::vector<Id> next(keys.size());
+  auto order = filledWith<Id>(keys.size());
+  auto next = filledWith<Id>(keys.size());
   std::iota(order.begin(), order.end(), Id(0));
   for (int shift = 0; shift < 63; shift += 11)
   {
@@ -69,7 +70,7 @@ struct UsedPoints
 UsedPoints findUsedPoints(const Decomposition& tets, std::size_t count)
 {
   UsedPoints used;
-  used.Index.assign(count, 0);
+  used.Index = filledWith<Id>(count);
   for (const auto& tet : tets.Tets)
   {
     for (Id id : tet)
@@ -93,7 +94,7 @@ UsedPoints findUsedPoints(const Decomposition& tets, std::size_t count)
 bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vector<Id>& rank,
   const Progress& progress, TetMesh& mesh)
 {
-  std::vector<std::array<Id, 4>> tets(from.Tets.size());
+  auto tets = filledWith<std::array<Id, 4>>(from.Tets.size());
   const bool finished = parallelFor(static_cast<vtkIdType>(tets.size()), progress,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -113,7 +114,7 @@ bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vec
   }
   const auto isDegenerate = [](const std::array<Id, 4>& t)
   { return t[0] == t[1] || t[1] == t[2] || t[2] == t[3]; };
-  std::vector<Id> starts(mesh.Vertices.size() + 1, 0);
+  auto starts = filledWith<Id>(mesh.Vertices.size() + 1);
   for (const auto& tet : tets)
   {
     if (isDegenerate(tet))
@@ -128,8 +129,8 @@ bool orderTets(const Decomposition& from, const UsedPoints& used, const std::vec
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   std::vector<std::array<Id, 4>>& ordered = mesh.Tets.stored();
   std::vector<Id>& cells = mesh.TetCells.stored();
-  ordered.resize(starts.back());
-  cells.resize(starts.back());
+  ordered = filledWith<std::array<Id, 4>>(starts.back());
+  cells = filledWith<Id>(starts.back());
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
     if (!isDegenerate(tets[t]))
@@ -157,7 +158,7 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
 
   const UsedPoints used = findUsedPoints(tets, pointCount + tets.CenterCells.size());
   const std::size_t vertexCount = used.Points.size();
-  std::vector<Vector3> positions(vertexCount);
+  auto positions = filledWith<Vector3>(vertexCount);
   parallelFor(0, static_cast<vtkIdType>(vertexCount),
     [&](vtkIdType first, vtkIdType last)
     {
@@ -185,8 +186,8 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
     return wrong;
   }
 
-  std::vector<Vertex> vertices(vertexCount);
-  std::vector<std::uint64_t> codes(vertexCount);
+  auto vertices = filledWith<Vertex>(vertexCount);
+  auto codes = filledWith<std::uint64_t>(vertexCount);
   parallelFor(0, static_cast<vtkIdType>(vertexCount),
     [&](vtkIdType first, vtkIdType last)
     {
@@ -197,10 +198,10 @@ std::string renumber(vtkPoints* points, Decomposition&& tets, const Progress& pr
       }
     });
   const std::vector<Id> order = sortedOrder(codes);
-  std::vector<Id> rank(vertexCount);
-  mesh.Vertices.resize(vertexCount);
+  auto rank = filledWith<Id>(vertexCount);
+  mesh.Vertices = filledWith<Vertex>(vertexCount);
   std::vector<Id>& vertexPoints = mesh.VertexPoints.stored();
-  vertexPoints.resize(vertexCount);
+  vertexPoints = filledWith<Id>(vertexCount);
   for (std::size_t i = 0; i < vertexCount; ++i)
   {
     rank[order[i]] = static_cast<Id>(i);

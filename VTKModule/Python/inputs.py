@@ -50,15 +50,6 @@ def curvilinear(data):
     return data if isinstance(data, vtkStructuredGrid) and min(dimensions_of(data)) > 1 else joined([data])
 
 
-def leaves_of(tree):
-    """The leaves of a vtkHyperTreeGrid, but masked ones, as a vtkUnstructuredGrid."""
-    from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
-    leaves = vtkHyperTreeGridToUnstructuredGrid()
-    leaves.SetInputData(tree)
-    leaves.Update()
-    return leaves.GetOutput()
-
-
 def blocks_of(tree):
     """The data sets of a tree with cells, surfaces left out."""
     at = tree.NewIterator()
@@ -105,7 +96,8 @@ def drawn_data(data):
     if isinstance(data, (vtkStructuredGrid, vtkExplicitStructuredGrid)):
         return curvilinear(data)
     if isinstance(data, vtkHyperTreeGrid):
-        return leaves_of(data)
+        check_faults(data)
+        return data
     if isinstance(data, vtkCompositeDataSet):
         if not any(True for _ in blocks_of(data)):
             raise ValueError(f"the {data.GetClassName()} has no block with cells")

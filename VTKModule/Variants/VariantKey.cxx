@@ -94,6 +94,9 @@ VariantKey VariantKey::filtered() const
                     (key.isComposite() || key.PointScalars) &&
                     key.Components != ComponentGroup::Independent;
   key.TransparentRanges = key.TransparentRanges && !key.VisiblePart;
+  // A surface may lie between two cells, of which the march must know both.
+  key.Reentered =
+    key.EntryLists && key.Blend != BlendGroup::Isosurfaces && (key.Reentered || key.VisiblePart);
   // Rays of pixels have lists, rays towards the light have none.
   key.Hierarchy = !key.Structured && (!key.EntryLists || (key.Hierarchy && key.SampledShadows));
   key.OpaqueShadows = key.OpaqueShadows && key.CastShadows;

@@ -158,6 +158,7 @@ void TetVolume::setBits(VariantKey& key) const
   key.CornerScalars = !this->Scalars.OfCorners.empty();
   key.Curvilinear = this->mesh().Curvilinear != nullptr;
   key.Hierarchy = this->mayReenter();
+  key.Reentered = this->mayReenter();
   key.HiddenCells = !this->hiddenCells().empty();
   key.VisiblePart = this->entersVisiblePart();
 }

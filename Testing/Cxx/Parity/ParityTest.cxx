@@ -91,6 +91,12 @@ TEST(Parity, NestedShells)
   expectParity(scene);
 }
 
+TEST(Parity, HangingNodes)
+{
+  Scene scene(refinedCubes(8, 8, 1, sineField()));
+  expectParity(scene);
+}
+
 TEST(Parity, CellScalars)
 {
   Scene scene(jitteredLattice(10, 0.15, 1, noiseField()));
