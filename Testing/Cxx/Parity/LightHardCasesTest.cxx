@@ -110,6 +110,16 @@ TEST_P(LightHardCases, InImages)
   expectSoundLight(scene, this->GetParam());
 }
 
+// A dense wire in fog, in so many cells that llvmpipe lets a ray evaluate light at 31 points
+// (mostSamples() in Light/EffectStage.cxx). Few of them are enough if they lie where light changes.
+TEST(LightInManyCells, AWire)
+{
+  const auto wire = [](double x, double y, double)
+  { return std::hypot(x - 0.35, y - 0.6) < 0.04 ? 0.9 : 0.3 + 0.1 * x; };
+  StructuredScene scene(imageOf(wire, unitCube(128)), 40, 40);
+  expectSoundLight(scene, { "AWireInManyCells", { -7.0, 6.0, 2.0 }, false, 0.25 });
+}
+
 INSTANTIATE_TEST_SUITE_P(With, LightHardCases, testing::ValuesIn(Cases),
   [](const auto& of) { return std::string(of.param.Name); });
 } // namespace
