@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/LeafGrids.h"
 
+#include "vtkBitArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
@@ -44,6 +45,11 @@ std::string checkTree(vtkHyperTreeGrid* tree)
     }
   }
   const vtkIdType cells = tree->GetGlobalNodeIndexMax() + 1;
+  if (tree->HasMask() && tree->GetMask()->GetNumberOfTuples() < cells)
+  {
+    return "The tree's mask has " + std::to_string(tree->GetMask()->GetNumberOfTuples()) +
+           " values, but the tree has " + std::to_string(cells) + " cells.";
+  }
   vtkCellData* data = tree->GetCellData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {

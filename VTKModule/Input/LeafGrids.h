@@ -20,7 +20,7 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** Empty, or why the tree's cells can't be read: its coordinates or arrays are too short. */
+/** Empty, or why the tree's cells can't be read: its coordinates, mask or arrays are too short. */
 std::string checkTree(vtkHyperTreeGrid* tree);
 
 class LeafGrids

@@ -355,16 +355,19 @@ TEST_F(BlockErrors, AreReportedOnce)
 
 TEST_F(BlockErrors, OfTreesThatLackValues)
 {
-  for (const bool ofCoordinates : { false, true })
+  const auto trees = randomTrees();
+  const std::pair<vtkDataArray*, Words> cases[] = {
+    { trees->GetYCoordinates(), { "4 points along axis 1", "coordinates" } },
+    { trees->GetMask(), { "mask has 2 values", "cells" } },
+    { trees->GetCellData()->GetScalars(), { "\"c\" has 2 tuples", "cells" } },
+  };
+  for (const auto& [array, words] : cases)
   {
-    const auto trees = randomTrees();
-    vtkDataArray* array =
-      ofCoordinates ? trees->GetYCoordinates() : trees->GetCellData()->GetScalars();
+    const vtkIdType count = array->GetNumberOfTuples();
     array->SetNumberOfTuples(2);
-    array->Modified();
-    this->expectError([&] { this->show(trees); }, [this] { this->showSound(); },
-      ofCoordinates ? Words{ "4 points along axis 1", "coordinates" }
-                    : Words{ "\"c\" has 2 tuples", "cells" });
+    trees->Modified();
+    this->expectError([&] { this->show(trees); }, [this] { this->showSound(); }, words);
+    array->SetNumberOfTuples(count);
   }
 }
 
