@@ -7,56 +7,18 @@ a table: seconds to the first frame and of a frame, and the difference from the 
 (RMS of a channel, 8 bits).
 """
 import argparse
-import itertools
 import math
+import pathlib
 import statistics
+import sys
 import time
 
-from lattices import ARRAY, source_of, values_of
-from other_grids import block_of, overlapping
+from lattices import ARRAY, source_of
 from paraview import simple
 from views import load_plugin, open_view, picture_of
 
-SIDE = 4  # cells of a level along the edge of a block that is refined
-LEVELS = 3
-RADIUS = 0.35
-
-
-def value_at(x, y, z):
-    """1 on the shell, and less away from it: exp(-(d / 0.02)^2) for a distance of d; waves of 0.2 at most."""
-    distance = math.dist((x, y, z), (0.5, 0.5, 0.5)) - RADIUS
-    return 0.8 * math.exp(-(distance / 0.02) ** 2) + 0.1 + 0.1 * math.sin(20 * x) * math.cos(15 * y + 10 * z)
-
-
-def meets_shell(low, width):
-    nearest = math.dist([min(max(0.5, a), a + width) for a in low], [0.5] * 3)
-    farthest = math.hypot(*(max(0.5 - a, a + width - 0.5) for a in low))
-    return nearest <= RADIUS <= farthest
-
-
-def filled(width, low, count):
-    """A block whose cells have the value at their centres."""
-    centers = ([width * (a + b + 0.5) for a, b in zip(low, (x, y, z))]
-               for z, y, x in itertools.product(range(count), repeat=3))
-    return values_of(block_of(width, low, count), [value_at(*center) for center in centers], of_cells=True)
-
-
-def refined(boxes, width):
-    """Low corners, on the next level, of the blocks of these boxes (low, count) that the shell passes through."""
-    return [[2 * a for a in low] for first, count in boxes
-            for low in itertools.product(*(range(a, a + count, SIDE) for a in first))
-            if meets_shell([a * width for a in low], SIDE * width)]
-
-
-def adaptive(coarsest):
-    """The mesh, and the number of its cells."""
-    widths = [1 / (coarsest << level) for level in range(LEVELS)]
-    boxes = [[([0, 0, 0], coarsest)]]
-    for width in widths[:-1]:
-        boxes.append([(low, 2 * SIDE) for low in refined(boxes[-1], width)])
-    blocks = [[(filled(width, low, count), low) for low, count in each] for width, each in zip(widths, boxes)]
-    hidden = sum(len(each) for each in boxes[1:]) * SIDE**3  # below finer ones
-    return overlapping(widths, blocks), sum(len(each) * each[0][1] ** 3 for each in boxes) - hidden
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "Benchmark"))
+from write_leaves import LEVELS, adaptive
 
 
 def use_functions():
