@@ -28,14 +28,19 @@ struct Pass
   std::vector<VariantKey> Keys;
 };
 
-/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, whether there
-/// is fma is the driver's choice, and a mesh that takes two buffers is too large.
+/// The variants that scenes can ask for: surfaces that cast shadows are seen as well, a tolerance
+/// samples shadows along rays, a mesh that rays of pixels enter again those towards the light do,
+/// too, whether there is fma is the driver's choice, and a mesh that takes two buffers is too
+/// large.
 std::vector<VariantKey> ofScenes(const std::vector<VariantKey>& keys)
 {
   DistinctKeys distinct;
   for (VariantKey key : keys)
   {
     key.OpaqueDepth = key.OpaqueDepth || key.OpaqueShadows;
+    key.SampledShadows = key.SampledShadows || (key.LightTolerance && key.CastShadows);
+    key.Reentered = key.Reentered || key.Hierarchy;
+    key.Hierarchy = key.Hierarchy || (key.Reentered && !key.VisiblePart);
     key.HasFma = false;
     key.SplitCells = false;
     distinct.add(key.filtered());
