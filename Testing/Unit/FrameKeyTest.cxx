@@ -109,7 +109,7 @@ const KeyCase KeyCases[] = {
     [](StagedScene& s) {
       s.show({ { 0.55, 0.0 }, { 1.0, 0.6 } });
     },
-    "+VISIBLE_PART", "+TRANSPARENT_RANGES +LEAPS" },
+    "+VISIBLE_PART +REENTERED", "+TRANSPARENT_RANGES +LEAPS" },
   { "half of the points, here and there, are transparent",
     [](StagedScene& s)
     {
@@ -178,7 +178,7 @@ const KeyCase KeyCases[] = {
                                          : s.draw(latticeWithHole(4, 0.0, 1, field));
       s.castShadow(ShadowMethod::AlongRays);
     },
-    "+BVH +SHADING +SINGLE_LIGHT +CAST_SHADOWS +SAMPLED_SHADOWS",
+    "+BVH +SHADING +SINGLE_LIGHT +CAST_SHADOWS +SAMPLED_SHADOWS +REENTERED",
     "+SHADING +SINGLE_LIGHT +CAST_SHADOWS +SAMPLED_SHADOWS +RECTILINEAR" },
   { "a plate between the light and the volume",
     [](StagedScene& s)
@@ -238,11 +238,11 @@ TYPED_TEST(FrameKeys, ChangeOnlyIfAnotherIsClearlyFaster)
     EXPECT_EQ(difference(plain, keyOf(frame)), frame.Marched.isStructured() ? ofLattice : ofMesh);
   };
   expectKey(0.3, "", "+LEAPS");
-  expectKey(0.55, "+VISIBLE_PART", "+TRANSPARENT_RANGES +LEAPS");
-  expectKey(0.3, "+VISIBLE_PART", "+TRANSPARENT_RANGES +LEAPS");
+  expectKey(0.55, "+VISIBLE_PART +REENTERED", "+TRANSPARENT_RANGES +LEAPS");
+  expectKey(0.3, "+VISIBLE_PART +REENTERED", "+TRANSPARENT_RANGES +LEAPS");
   frame.Input.Drawn.Scalars.Array->Modified();
   expectKey(0.3, "", "+LEAPS");
-  expectKey(0.55, "+VISIBLE_PART", "+TRANSPARENT_RANGES +LEAPS");
+  expectKey(0.55, "+VISIBLE_PART +REENTERED", "+TRANSPARENT_RANGES +LEAPS");
   expectKey(0.1, "", "");
 }
 } // namespace

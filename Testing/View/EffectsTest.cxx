@@ -78,7 +78,8 @@ void EffectsTest::TheCostOfAnEffectIsMeasured()
   const double added = measured[0][1].toDouble();
   QVERIFY(std::isfinite(added));
   QVERIFY(measured[0][2].toDouble() >= 0.0); // once
-  QVERIFY(panel->GetCost(0)->text().contains(QString::number(added, 'f', 3)));
+  // Less than nothing if other programs slowed down the frames without it.
+  QVERIFY(panel->GetCost(0)->text().contains(QString::number(std::abs(added), 'f', 3)));
   // The picture is what it was, without the effect.
   QCOMPARE(Compare(plain, this->Draw()).Bytes, std::size_t(0));
 }
