@@ -215,14 +215,24 @@ bool isFinished(March march)
 
 CONSTANT int STEPS_OF_RUN = 16;
 
-// The number of steps at which the march comes back. Rays of a group leave the mesh at different times, and those that
+// Whether the march goes on before it comes back. Rays of a group leave the mesh at different times, and those that
 // have left wait for the others before they search their next entry: not for longer than a run.
-int lastStepOfRun(March march)
+bool isInRun(int begin, March march)
 {
 #if TETMARCH_REENTERED
-  return min(march.stepsTaken + STEPS_OF_RUN, mostSteps);
+  return march.stepsTaken < min(begin + STEPS_OF_RUN, mostSteps);
 #else
-  return mostSteps;
+  return march.stepsTaken < mostSteps;
+#endif
+}
+
+// Whether the ray is still in the volume after a run. Without runs it has left: the compiler must see that.
+bool staysInside(bool onward)
+{
+#if TETMARCH_REENTERED
+  return onward;
+#else
+  return false;
 #endif
 }
 
@@ -231,9 +241,9 @@ int lastStepOfRun(March march)
 bool marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
 {
   CellInterval cell = beginCellInterval(ray, place);
-  int last = lastStepOfRun(march);
+  int begin = march.stepsTaken;
   bool onward = true;
-  while (onward && march.stepsTaken < last)
+  while (onward && isInRun(begin, march))
   {
     onward = passToSeenCell(ray, depthEnd, place, cell, march);
     keepTransmittance(march);
@@ -293,7 +303,7 @@ void marchOn(Ray ray, real thicknessPerDepth, real depthEnd, INOUT(Traversal) tr
 #endif
     if (onward)
     {
-      onward = marchToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march);
+      onward = staysInside(marchToExit(ray, traversal.place, thicknessPerDepth, depthEnd, march));
     }
 #if TETMARCH_SAMPLED_SHADOWS
     if (march.pause.due)

@@ -95,7 +95,7 @@ class GpuCompileTest(unittest.TestCase):
 
     def test_rules(self):
         budgets = budgets_of.Budgets.read(HERE / "variants.json")
-        for line, name in ((MESH, "default"), (MESH + " VISIBLE_PART", "default"), (LIT, "lit"),
+        for line, name in ((MESH, "default"), (MESH + " VISIBLE_PART REENTERED", "default"), (LIT, "lit"),
                            (MESH + " INDEPENDENT", None), ("pick " + MESH.split(maxsplit=1)[1], None)):
             rule = budgets.rule_of(line)
             self.assertEqual(rule and rule["name"], name, line)
