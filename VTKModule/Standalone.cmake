@@ -29,8 +29,8 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 
 set(tetmarch_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms FiltersCore FiltersGeometry
-  FiltersHyperTree IOExport ParallelCore RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
-  RenderingVolumeOpenGL2 jsoncpp vtksys zlib)
+  FiltersHyperTree IOExport ParallelCore RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
+  RenderingVolume RenderingVolumeOpenGL2 jsoncpp vtksys zlib)
 list(JOIN tetmarch_vtk_components " " tetmarch_library_components) # those that other projects need
 if (TETMARCH_WRAP_PYTHON)
   list(APPEND tetmarch_vtk_components Python WrappingPythonCore)

@@ -25,10 +25,9 @@ Dataset makeLattice(int size, const testing::Field& field)
   return dataset;
 }
 
-/// Two and a half waves an edge make the scalar turn several times along it. A ray through the cube
-/// is absorbed by about three quarters.
-constexpr double Waves = 2.5;
+constexpr double Waves = 2.5; // along an edge: the scalar turns several times
 
+/// A ray through the cube is absorbed by about three quarters.
 Dataset makeWaves(int size)
 {
   Dataset dataset = makeLattice(size, testing::sineField(Waves));

@@ -24,7 +24,7 @@ Grid latticeWithThirdOwners(int n, const Field& field = linearField());
 /// of a fine edge along x, alternately to both sides, which opens gaps and makes overlaps.
 Grid hangingNodes(int n, double bulge = 0.0, const Field& field = linearField());
 
-/// The unit cube, cut into cubes of edge 1/n of which about one in `oneIn` is cut into eight.
+/// The unit cube, cut into cubes of edge 1/n. About one in `oneIn` of these is cut into eight.
 Grid refinedCubes(int n, unsigned oneIn, unsigned seed, const Field& field = linearField());
 
 /// A strip of width 1 and thickness 0.1 on a circle of radius 1 that turns over once, like that of

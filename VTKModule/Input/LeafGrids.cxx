@@ -29,8 +29,7 @@ Fingerprint versionOf(vtkHyperTreeGrid* tree)
   return version;
 }
 
-} // namespace
-
+// Empty, or why the tree's cells can't be read: its coordinates, mask or arrays are too short.
 std::string checkTree(vtkHyperTreeGrid* tree)
 {
   const std::array<vtkDataArray*, 3> coordinates{ { tree->GetXCoordinates(),
@@ -63,6 +62,8 @@ std::string checkTree(vtkHyperTreeGrid* tree)
   }
   return {};
 }
+
+} // namespace
 
 LeafGrids::LeafGrid LeafGrids::gridOf(vtkHyperTreeGrid* tree)
 {

@@ -20,9 +20,6 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** Empty, or why the tree's cells can't be read: its coordinates, mask or arrays are too short. */
-std::string checkTree(vtkHyperTreeGrid* tree);
-
 class LeafGrids
 {
 public:

@@ -94,7 +94,7 @@ VariantKey VariantKey::filtered() const
                     (key.isComposite() || key.PointScalars) &&
                     key.Components != ComponentGroup::Independent;
   key.TransparentRanges = key.TransparentRanges && !key.VisiblePart;
-  // A surface may lie between two cells, of which the march must know both.
+  // A surface may lie between two cells. The march must know both, so a run must not end there.
   key.Reentered =
     key.EntryLists && key.Blend != BlendGroup::Isosurfaces && (key.Reentered || key.VisiblePart);
   // Rays of pixels have lists, rays towards the light have none.

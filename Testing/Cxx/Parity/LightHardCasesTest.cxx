@@ -110,8 +110,8 @@ TEST_P(LightHardCases, InImages)
   expectSoundLight(scene, this->GetParam());
 }
 
-// A dense wire in fog, in so many cells that llvmpipe lets a ray evaluate light at 31 points
-// (mostSamples() in Light/EffectStage.cxx). Few of them are enough if they lie where light changes.
+// A dense wire in fog. On llvmpipe, a ray through this many cells evaluates light at 31 points at
+// most (mostSamples() in Light/EffectStage.cxx). They suffice if they lie where light changes.
 TEST(LightInManyCells, AWire)
 {
   const auto wire = [](double x, double y, double)
