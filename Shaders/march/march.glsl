@@ -215,14 +215,14 @@ bool isFinished(March march)
 
 CONSTANT int STEPS_OF_RUN = 16;
 
-// Whether the march goes on before it comes back. Rays of a group leave the mesh at different times, and those that
-// have left wait for the others before they search their next entry: not for longer than a run.
-bool isInRun(int begin, March march)
+// The steps after which the march comes back. Rays of a group leave the mesh at different times, and those that have
+// left wait for the others before they search their next entry: not for longer than a run.
+int endOfRun(March march)
 {
 #if TETMARCH_REENTERED
-  return march.stepsTaken < min(begin + STEPS_OF_RUN, mostSteps);
+  return min(march.stepsTaken + STEPS_OF_RUN, mostSteps);
 #else
-  return march.stepsTaken < mostSteps;
+  return mostSteps;
 #endif
 }
 
@@ -241,9 +241,9 @@ bool staysInside(bool onward)
 bool marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
 {
   CellInterval cell = beginCellInterval(ray, place);
-  int begin = march.stepsTaken;
+  int runEnd = endOfRun(march);
   bool onward = true;
-  while (onward && isInRun(begin, march))
+  while (onward && march.stepsTaken < runEnd)
   {
     onward = passToSeenCell(ray, depthEnd, place, cell, march);
     keepTransmittance(march);
