@@ -61,14 +61,8 @@ int vtkTetMarchTessellator::RequestData(
   std::string error = errorOf(input);
   if (error.empty() && input->GetNumberOfCells() > 0)
   {
-    tetmarch::CurvedTolerance tolerance{ this->GeometryTolerance * input->GetLength(),
-      this->GetInputArrayToProcess(0, inputVector), {} };
-    for (int c = 0; tolerance.Scalars && c < tolerance.Scalars->GetNumberOfComponents(); ++c)
-    {
-      double range[2];
-      tolerance.Scalars->GetFiniteRange(range, c);
-      tolerance.Values.push_back(this->ScalarTolerance * (range[1] - range[0]));
-    }
+    const tetmarch::CurvedTolerance tolerance = tetmarch::toleranceOf(input,
+      this->GetInputArrayToProcess(0, inputVector), this->GeometryTolerance, this->ScalarTolerance);
     const auto progress = [this](double done)
     {
       this->UpdateProgress(done);

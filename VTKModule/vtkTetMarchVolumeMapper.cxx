@@ -25,10 +25,11 @@
 
 namespace
 {
-// Whether cells are joined into a grid, or computed for one.
-bool isJoined(vtkDataObject* input)
+// Whether cells are joined into a grid, or made for one.
+bool isJoined(vtkDataObject* input, double curvedTolerance)
 {
-  return vtkCompositeDataSet::SafeDownCast(input) || vtkStructuredGrid::SafeDownCast(input) ||
+  return (curvedTolerance > 0 && vtkUnstructuredGrid::SafeDownCast(input)) ||
+         vtkCompositeDataSet::SafeDownCast(input) || vtkStructuredGrid::SafeDownCast(input) ||
          vtkExplicitStructuredGrid::SafeDownCast(input) || vtkHyperTreeGrid::SafeDownCast(input);
 }
 } // namespace
@@ -142,11 +143,17 @@ double* vtkTetMarchVolumeMapper::GetBounds()
 double* vtkTetMarchVolumeMapper::GetOwnBounds()
 {
   vtkDataObject* input = this->GetDataObjectInput();
-  if (!isJoined(input))
+  const double curvedTolerance = this->GetGeometryTolerance();
+  if (!isJoined(input, curvedTolerance))
   {
     return this->Superclass::GetBounds();
   }
   this->Update();
+  if (curvedTolerance > 0)
+  {
+    std::string error; // Render() tells of it
+    this->FindGrid(error);
+  }
   this->Internal->Blocks.findBounds(input, this->Bounds);
   return this->Bounds;
 }
@@ -187,7 +194,8 @@ vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable()
 }
 
 //------------------------------------------------------------------------------
-vtkPointSet* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
+vtkPointSet* vtkTetMarchVolumeMapper::FindGrid(
+  std::string& error, const std::function<bool(double)>& progress)
 {
   vtkDataObject* input = this->GetDataObjectInput();
   vtkPointSet* grid = vtkUnstructuredGrid::SafeDownCast(input);
@@ -198,9 +206,10 @@ vtkPointSet* vtkTetMarchVolumeMapper::FindGrid(std::string& error)
     blocks.clear();
     grid = tetmarch::hasSolidCells(curvilinear) ? curvilinear : nullptr;
   }
-  else if (isJoined(input))
+  else if (isJoined(input, this->GetGeometryTolerance()))
   {
-    error = blocks.update(input, tetmarch::selectionOf(this));
+    error =
+      blocks.update(input, tetmarch::selectionOf(this), this->GetGeometryTolerance(), progress);
     grid = blocks.grid();
   }
   else

@@ -68,8 +68,9 @@
 #include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVolumeMapper.h" // For VTK_CROP_SUBVOLUME
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
+#include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
+#include <string>     // For std::string
 
 class vtkFloatArray;
 class vtkLookupTable;
@@ -473,7 +474,7 @@ private:
 
   class Internals;
 
-  vtkPointSet* FindGrid(std::string& error);
+  vtkPointSet* FindGrid(std::string& error, const std::function<bool(double)>& progress = {});
   std::string RenderInput(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   std::string RenderGrid(vtkPointSet* grid, std::string found, vtkOpenGLRenderWindow* window,
     vtkRenderer* renderer, vtkVolume* volume);

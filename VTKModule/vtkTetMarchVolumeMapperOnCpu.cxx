@@ -26,7 +26,7 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
   this->GetInputAlgorithm(0, 0, port)->Update(port); // this one would tell progress of its own
   const tetmarch::Progress progress = tetmarch::beginProgressOf(this);
   std::string error;
-  vtkPointSet* grid = this->FindGrid(error);
+  vtkPointSet* grid = this->FindGrid(error, progress);
   if (grid)
   {
     tetmarch::ResourceLimits limits; // what the GL can hold is checked by the frame

@@ -1,6 +1,7 @@
 # ParaView's properties of the settings, from VTKModule/Mapper/settings.json. `panel` of a row has
 #
 #   group              where it is in the panel: the placeholder TETMARCH_<GROUP>_SETTINGS of a template
+#   only               "grids" or "images", if it is for one kind of data
 #   advanced           true: seen among the advanced properties only
 #   text               the lines of its documentation; text_of_images: in the representation of images
 #   default_of_images  the value at the start there, if it is another one
@@ -45,7 +46,8 @@ function (tetmarch_settings_xml kind)
   foreach (index RANGE "${tetmarch_last_setting}")
     string(JSON setting GET "${tetmarch_settings}" "${index}")
     tetmarch_json(panel "${setting}" panel)
-    if (panel STREQUAL "")
+    tetmarch_json(only "${panel}" only)
+    if (panel STREQUAL "" OR NOT only MATCHES "^(${kind})?$")
       continue ()
     endif ()
     foreach (member IN ITEMS name type default least greatest)

@@ -68,6 +68,10 @@ def check_tessellator(view):
     print(f"a tetrahedron that bulges: brightness {shown[0]:.1f} straight, {shown[1]:.1f} curved")
     assert shown[1] > 1.2 * shown[0] > 1, "a curved cell is not larger than a straight one"
     simple.Hide(cut, view)
+    display = show_in(view, source, "UnstructuredGrid", "POINTS")
+    display.TetMarchGeometryTolerance = 1e-3
+    own = brightness(picture_of(view))
+    assert own > 1.2 * shown[0], f"brightness {own:.1f} of the representation's own curved cells"
     simple.Delete(source)
 
 

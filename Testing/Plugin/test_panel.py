@@ -94,7 +94,9 @@ def check_settings(proxy):
     for row in json.loads(SETTINGS.read_text(encoding="utf-8")):
         name = "TetMarch" + row["name"]
         prop = proxy.GetProperty(name)
-        assert ("panel" in row) == bool(prop), f"{name} must be there if the table has its panel, and only then"
+        kind = row.get("panel", {}).get("only")
+        expected = "panel" in row and kind in (None, "images" if images else "grids")
+        assert expected == bool(prop), f"{name} must be there if the table has its panel, and only then"
         if prop:
             text = row["panel"].get("text_of_images" if images else "text", row["panel"]["text"])
             assert prop.GetDocumentation().GetDescription().split() == " ".join(text).split(), name

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkTetMarchTessellator: curved cells become tetrahedra within a tolerance (in C++: TessellationTest.cxx)."""
+"""Curved cells become tetrahedra within a tolerance: by vtkTetMarchTessellator (in C++: TessellationTest.cxx) and by the
+mapper (CurvedBlocksTest.cxx)."""
 import unittest
 
 import numpy as np
@@ -192,6 +193,41 @@ class PictureTest(unittest.TestCase):
         self.assertGreater(np.ptp(pictures["truth"]), 100)
         self.assertLess(error["default"], 1)
         self.assertGreater(error["linear"], 10 * error["default"])
+
+
+class MapperTest(unittest.TestCase):
+    """GeometryTolerance: the mapper cuts the cells itself."""
+
+    def figure_of(self, data, **settings):
+        return vtktetmarch.figure(data, "s", range=(-1, 1), unit_distance=0.5, size=(90, 70),
+                                  opacity=[(-1, 0.1), (0, 0.3), (1, 0.8)], **settings)
+
+    def test_it_draws_what_the_filter_makes(self):
+        made = self.figure_of(tessellated(curved(), 4e-3, 4e-3))
+        figure = self.figure_of(curved())
+        figure.renderer.GetActiveCamera().DeepCopy(made.renderer.GetActiveCamera())
+        linear, expected = figure.screenshot().astype(int), made.screenshot().astype(int)
+        figure.mapper.SetGeometryTolerance(4e-3)
+        picture = figure.screenshot().astype(int)
+        self.assertEqual(figure.mapper.GetNumberOfTetrahedra(), made.mapper.GetNumberOfTetrahedra())
+        np.testing.assert_array_equal(picture, expected)
+        self.assertGreater(np.abs(linear - expected).max(), 50)
+
+    def test_picks_and_bounds_are_those_of_curved_cells(self):
+        mesh = tessellated(curved(), 4e-3, 4e-3)
+        made, figure = self.figure_of(mesh), self.figure_of(curved(), geometry_tolerance=4e-3)
+        np.testing.assert_allclose(figure.mapper.GetBounds(), mesh.GetBounds())
+        figure.renderer.GetActiveCamera().DeepCopy(made.renderer.GetActiveCamera())
+        origins, cells = mesh.GetCellData().GetArray("vtkOriginalCellIds"), set()
+        for x in range(20, 70, 10):
+            figures = [(each, each.mapper) for each in (made, figure)]
+            hits = [mapper.Pick(each.renderer, each.volume, x, 35) for each, mapper in figures]
+            self.assertEqual(*hits)
+            if hits[0]:
+                of_tet, of_cell = (mapper.GetPickedCellId() for _, mapper in figures)
+                self.assertEqual(of_cell, origins.GetValue(of_tet))
+                cells.add(of_cell)
+        self.assertGreater(len(cells), 1)
 
 
 class ErrorsTest(unittest.TestCase):

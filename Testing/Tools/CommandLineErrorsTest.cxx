@@ -68,8 +68,6 @@ TEST(CommandLine, RefusesBadDescriptionsOfRawFiles)
   ExpectBadValue("--spacing", "1,2", "expected 3 finite numbers separated by commas");
   ExpectBadValue("--spacing", "1,0,2", "expected three numbers above 0");
   ExpectBadValue("--interpolation", "cubic", "expected nearest or linear");
-  ExpectBadValue("--tessellate", "0", "expected numbers from 1e-6 to 1");
-  ExpectBadValue("--tessellate", "0.1,1.5", "expected numbers from 1e-6 to 1");
 }
 
 TEST(CommandLine, RawFilesNeedADescription)

@@ -94,15 +94,6 @@ TEST(CommandLine, TakesAnInterpolation)
     vtkTetMarchSettings::UNSTRUCTURED);
 }
 
-TEST(CommandLine, TakesTolerancesOfCurvedCells)
-{
-  EXPECT_FALSE(ParseCommandLine({ "a.vtu" }).Curves);
-  const auto one = ParseCommandLine({ "a.vtu", "--tessellate", "1e-3" }).Curves;
-  EXPECT_EQ(one->Geometry, 1e-3);
-  EXPECT_EQ(one->Scalar, 2e-3);
-  EXPECT_EQ(ParseCommandLine({ "a.vtu", "--tessellate", "1e-3,0.1" }).Curves->Scalar, 0.1);
-}
-
 TEST(CommandLine, TakesWhatARawFileHolds)
 {
   const CommandLine c = ParseCommandLine({ "scan.RAW", "--dimensions", "64,32,16", "--type",

@@ -77,8 +77,8 @@ class RenderImageTest(RenderCase):
             self.check(pixel, opacity_of(min(max(2 * x - 0.5, 0), 1), 1))
         self.expect_failure(1, "--interpolation is for images, rectilinear grids and adaptive meshes, but 'cube.vtu' is "
                             "drawn as an unstructured grid", "cube.vtu", "--interpolation", "nearest")
-        self.expect_failure(1, "--tessellate is for meshes of curved cells, but 'image.vti' has images", "image.vti",
-                            "--tessellate", "1e-3")
+        self.expect_failure(1, "--geometry-tolerance is for meshes of curved cells, but 'image.vti' has images", "image.vti",
+                            "--geometry-tolerance", "1e-3")
 
     def test_samples(self):
         """Of one scalar: four samples, the last of them on the far side; or half of the way beyond it."""

@@ -4,17 +4,16 @@
 // shape functions of the cells.
 #include "Curved/Tessellation.h"
 
+#include "FilledCube.h"
 #include "LagrangeGrids.h"
 #include "QuadraticGrids.h"
 
 #include "Geometry/Vector3.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -23,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <random>
 
 namespace
@@ -60,59 +58,6 @@ vtkSmartPointer<vtkUnstructuredGrid> cut(
               grid, tolerance, [](double) { return true; }, output),
     "");
   return output;
-}
-
-std::array<vtkIdType, 4> tetrahedron(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  vtkNew<vtkIdList> ids;
-  grid->GetCells()->GetCellAtId(cell, ids);
-  EXPECT_EQ(ids->GetNumberOfIds(), 4);
-  return { { ids->GetId(0), ids->GetId(1), ids->GetId(2), ids->GetId(3) } };
-}
-
-Vector3 pointOf(vtkUnstructuredGrid* grid, vtkIdType id)
-{
-  Vector3 point;
-  grid->GetPoint(id, point.data());
-  return point;
-}
-
-// Each face is of two tetrahedra, or in the surface of the cube; the volumes add up to its own.
-void expectFillsTheCube(vtkUnstructuredGrid* grid)
-{
-  std::map<std::array<vtkIdType, 3>, int> faces;
-  double volume = 0;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    std::array<vtkIdType, 4> tet = tetrahedron(grid, cell);
-    const Vector3 first = pointOf(grid, tet[0]);
-    const double sixfold = dot(cross(pointOf(grid, tet[1]) - first, pointOf(grid, tet[2]) - first),
-      pointOf(grid, tet[3]) - first);
-    EXPECT_GT(sixfold, 0) << "cell " << cell;
-    volume += sixfold / 6;
-    std::sort(tet.begin(), tet.end());
-    for (int left = 0; left < 4; ++left)
-    {
-      std::array<vtkIdType, 3> face;
-      std::copy_if(
-        tet.begin(), tet.end(), face.begin(), [&](vtkIdType id) { return id != tet[left]; });
-      ++faces[face];
-    }
-  }
-  EXPECT_NEAR(volume, 1, 1e-9);
-  for (const auto& [face, count] : faces)
-  {
-    bool isInSurface = false;
-    for (int k = 0; k < 3; ++k)
-    {
-      for (const double side : { 0.0, 1.0 })
-      {
-        isInSurface |= std::all_of(face.begin(), face.end(),
-          [&](vtkIdType id) { return std::abs(pointOf(grid, id)[k] - side) < 1e-9; });
-      }
-    }
-    ASSERT_EQ(count, isInSurface ? 1 : 2);
-  }
 }
 
 // The scalar of a cell by its shape functions, at a place in space: parameters by Newton's method.

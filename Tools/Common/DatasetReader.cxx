@@ -3,7 +3,6 @@
 #include "DatasetReader.h"
 
 #include "AdaptiveData.h"
-#include "CurvedCells.h"
 #include "DataChecking.h"
 #include "ErrorText.h"
 #include "Failure.h"
@@ -256,10 +255,6 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   if (!volume.Structured && !isCurvilinear)
   {
     whole = MakeGrid(blocks, contents.OfPieces, wanted, report);
-  }
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(whole); grid && wanted.Curves)
-  {
-    whole = CutCurvedCells(grid, wanted, report);
   }
   volume.Input = whole;
   volume.Blocks = { whole };

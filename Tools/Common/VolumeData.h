@@ -19,20 +19,12 @@
 namespace tetmarch
 {
 
-/// Of vtkTetMarchTessellator.
-struct CurveTolerances
-{
-  double Geometry;
-  double Scalar;
-};
-
 /// The array that the user asks for, and what it is between its values.
 struct WantedArray
 {
   std::string Name;        // empty: any
   int Association = -1;    // as vtkTetMarchFirstPicture::Associations
   bool Continuous = false; // of an adaptive mesh: linear between the centres of leaves
-  std::optional<CurveTolerances> Curves{}; // none: curved cells are linear between their points
 };
 
 struct VolumeData

@@ -40,8 +40,7 @@ void TakePreset(
 VolumeData ReadInput(const CommandLine& commandLine, std::optional<int> timeStep)
 {
   return ReadVolume(commandLine.Input, timeStep, commandLine.Raw,
-    { commandLine.Array, commandLine.ArrayAssociation, !commandLine.Nearest.value_or(true),
-      commandLine.Curves });
+    { commandLine.Array, commandLine.ArrayAssociation, !commandLine.Nearest.value_or(true) });
 }
 
 vtkSmartPointer<vtkTetMarchFirstPicture> ChooseArray(

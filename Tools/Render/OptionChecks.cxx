@@ -240,9 +240,9 @@ void CheckOptionsOfData(const CommandLine& commandLine, const VolumeData& data)
     throw Failure("--interpolation is for images, rectilinear grids and adaptive meshes, but " +
                   input + " is drawn as an unstructured grid");
   }
-  if (data.Structured && commandLine.Curves)
+  if (data.Structured && commandLine.Settings->GetGeometryTolerance() > 0.0)
   {
-    throw Failure("--tessellate is for meshes of curved cells, but " + input +
+    throw Failure("--geometry-tolerance is for meshes of curved cells, but " + input +
                   " has images or rectilinear grids");
   }
   if (!data.Structured && IsSampled(commandLine))

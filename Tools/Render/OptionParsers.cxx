@@ -6,9 +6,6 @@
 #include "Numbers.h"
 #include "OptionValues.h"
 
-#include "vtkNew.h"
-#include "vtkTetMarchTessellator.h"
-
 #include <algorithm>
 
 namespace tetmarch
@@ -138,17 +135,6 @@ std::vector<std::array<double, 2>> ParseGradientOpacity(const std::string& value
 int ParseComponent(const std::string& value)
 {
   return value == "magnitude" ? -1 : ParseCount(value);
-}
-
-CurveTolerances ParseCurveTolerances(const std::string& value)
-{
-  const std::vector<double> values = ParseList(value, { 1, 2 });
-  if (std::any_of(values.begin(), values.end(), [](double v) { return v < 1e-6 || v > 1.0; }))
-  {
-    throw UsageError("expected numbers from 1e-6 to 1");
-  }
-  const double ofScalar = vtkNew<vtkTetMarchTessellator>()->GetScalarTolerance();
-  return { values[0], values.size() > 1 ? values[1] : ofScalar };
 }
 
 TimeRange ParseTimeRange(const std::string& value)

@@ -149,8 +149,6 @@ std::map<std::string, Option> MakeDataOptions()
     { "--list", Flag([](CommandLine& c) { c.List = true; }) },
     { "--spacing",
       Value([](CommandLine& c, const std::string& v) { c.Raw.Spacing = ParseSpacing(v); }) },
-    { "--tessellate",
-      Value([](CommandLine& c, const std::string& v) { c.Curves = ParseCurveTolerances(v); }) },
     { "--time",
       Value([](CommandLine& c, const std::string& v) { c.Time = ParseTimeRange(v); }, { "all" }) },
     { "--time-step",

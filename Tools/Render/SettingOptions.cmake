@@ -74,8 +74,8 @@ function (tetmarch_setting_options)
     string(TOUPPER "TETMARCH_${section}_HELP" section)
     string(APPEND "${section}" "${lines}")
   endforeach ()
-  foreach (text IN ITEMS TETMARCH_COMPLETED_WORDS TETMARCH_OPACITY_HELP TETMARCH_LEVEL_HELP TETMARCH_ACCURACY_HELP
-      TETMARCH_LIGHT_HELP TETMARCH_VIEW_HELP)
+  foreach (text IN ITEMS TETMARCH_COMPLETED_WORDS TETMARCH_DATA_HELP TETMARCH_OPACITY_HELP TETMARCH_LEVEL_HELP
+      TETMARCH_ACCURACY_HELP TETMARCH_LIGHT_HELP TETMARCH_VIEW_HELP)
     string(REGEX REPLACE "\n$" "" "${text}" "${${text}}")
   endforeach ()
   file(CONFIGURE OUTPUT SettingOptions.inc CONTENT "${rows}")

@@ -31,12 +31,19 @@ public:
     this->Ends.push_back((this->Ends.empty() ? 0 : this->Ends.back()) + numberOfCells);
   }
 
-  /** Keep only the cells of this list, and renumber them. */
-  void keepOnly(std::vector<vtkIdType>&& cells) { this->Kept = std::move(cells); }
+  /** The grid's cells are now these ones of it, or parts of them, in this order. */
+  void renumber(std::vector<vtkIdType>&& cells)
+  {
+    for (vtkIdType& cell : cells)
+    {
+      cell = this->before(cell);
+    }
+    this->Renumbered = std::move(cells);
+  }
 
   CellOrigin of(vtkIdType cell) const
   {
-    cell = this->Kept.empty() ? cell : this->Kept[cell];
+    cell = this->before(cell);
     const std::size_t b =
       std::upper_bound(this->Ends.begin(), this->Ends.end(), cell) - this->Ends.begin();
     return b == this->Ends.size()
@@ -45,9 +52,14 @@ public:
   }
 
 private:
+  vtkIdType before(vtkIdType cell) const
+  {
+    return this->Renumbered.empty() ? cell : this->Renumbered[cell];
+  }
+
   std::vector<unsigned int> Blocks;
-  std::vector<vtkIdType> Ends; // one past the last cell of each block
-  std::vector<vtkIdType> Kept; // remaining cells; empty: all
+  std::vector<vtkIdType> Ends;       // one past the last cell of each block
+  std::vector<vtkIdType> Renumbered; // the number that each cell had first; empty: its own
 };
 
 } // namespace tetmarch

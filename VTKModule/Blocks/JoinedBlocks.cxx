@@ -9,6 +9,7 @@
 #include "Input/SolidCells.h"
 #include "Scalars/DrawnScalars.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
@@ -66,9 +67,14 @@ std::string checkBlock(const Block& block)
 void JoinedBlocks::clear()
 {
   const StageRecord record = this->Record;
-  LeafGrids leaves = std::move(this->Leaves);
   *this = {};
   this->Record = record;
+}
+
+void JoinedBlocks::restart()
+{
+  LeafGrids leaves = std::move(this->Leaves);
+  this->clear();
   this->Leaves = std::move(leaves);
 }
 
@@ -207,7 +213,22 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
   return {};
 }
 
-std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& selection)
+std::string JoinedBlocks::cutCurvedCells(double tolerance, const Progress& progress)
+{
+  this->Cut = {};
+  if (tolerance == 0 || !this->Grid)
+  {
+    return {};
+  }
+  std::string error =
+    straighten(this->Grid, this->Scalars, this->CellScalars, tolerance, progress, this->Cut);
+  this->CutOrigins = this->Origins;
+  this->CutOrigins.renumber(std::move(this->Cut.Cells));
+  return error;
+}
+
+std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& selection,
+  double curvedTolerance, const Progress& progress)
 {
   const std::string shortage = withinMemory("joining the blocks",
     [&]
@@ -216,11 +237,11 @@ std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& se
       const auto blocks = this->Leaves.replaceTrees(input, error);
       if (blocks)
       {
-        this->joinChanged(blocks, selection);
+        this->joinChanged(blocks, selection, curvedTolerance, progress);
       }
       else
       {
-        this->clear();
+        this->restart();
         this->Error = error;
       }
     });
@@ -242,17 +263,25 @@ void JoinedBlocks::findBounds(vtkDataObject* input, double bounds[6])
       if (const auto blocks = this->Leaves.replaceTrees(input, error))
       {
         boundBlocks(blocks, bounds);
+        if (this->isCut())
+        {
+          vtkBoundingBox box(bounds);
+          box.AddBounds(this->Cut.Grid->GetBounds());
+          box.GetBounds(bounds);
+        }
       }
     });
 }
 
-void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& selection)
+void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& selection,
+  double curvedTolerance, const Progress& progress)
 {
   const std::vector<Block> blocks = listBlocks(input, selection);
   Fingerprint shape = shapeOf(blocks);
   const std::string wanted = describe(selection);
   shape.insert(shape.end(), wanted.begin(), wanted.end());
-  const Fingerprint scalars = scalarsOf(blocks);
+  Fingerprint scalars = scalarsOf(blocks);
+  add(scalars, curvedTolerance);
   if (shape == this->Shape && scalars == this->ScalarsInput)
   {
     return;
@@ -261,7 +290,7 @@ void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& sele
   const bool sameShape = shape == this->Shape && this->Error.empty();
   if (!sameShape)
   {
-    this->clear();
+    this->restart();
     this->Error = this->choose(blocks, selection);
   }
   const std::vector<Block> drawn = this->drawnOf(blocks);
@@ -273,6 +302,15 @@ void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& sele
   if (this->Error.empty())
   {
     this->Error = this->joinScalars(drawn);
+  }
+  if (this->Error.empty())
+  {
+    this->Error = this->cutCurvedCells(curvedTolerance, progress);
+  }
+  if (this->Cut.Stopped)
+  {
+    this->restart();
+    return;
   }
   if (!this->Error.empty())
   {

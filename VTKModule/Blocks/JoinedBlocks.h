@@ -9,6 +9,7 @@
 #include "Blocks/BlockList.h"
 #include "Blocks/CellOrigins.h"
 #include "Caching/StageRecord.h"
+#include "Curved/StraightGrid.h"
 #include "Input/LeafGrids.h"
 
 #include "vtkSmartPointer.h"
@@ -24,30 +25,37 @@ class JoinedBlocks
 {
 public:
   /** Join the blocks that have the chosen array, of trees their leaves. If only the scalars
-   * changed, only these are joined again. Returns an empty string, or an error with its remedy; the
-   * grid is then null. */
-  std::string update(vtkDataObject* input, const ScalarSelection& selection);
+   * changed, only these are joined again. Curved cells are cut within a tolerance of more than 0
+   * (Curved/StraightGrid.h); the progress is that of cutting, after a stop the grid is null.
+   * Returns an empty string, or an error with its remedy; the grid is then null. */
+  std::string update(vtkDataObject* input, const ScalarSelection& selection,
+    double curvedTolerance = 0, const Progress& progress = {});
   void clear();
-  /** The box of the points of these blocks; not initialised if there are none. */
+  /** The box of the points of these blocks, and of their cut cells of the last update();
+   * not initialised if there are none. */
   void findBounds(vtkDataObject* input, double bounds[6]);
 
   /** Shared points (sharePoints) are merged, unless their scalars have ever differed between
    * blocks: then each block has its own. Null if no block has 3D cells. */
-  vtkUnstructuredGrid* grid() const { return this->Grid; }
-  vtkDataArray* scalars() const { return this->Scalars; }
+  vtkUnstructuredGrid* grid() const { return this->isCut() ? this->Cut.Grid : this->Grid; }
+  vtkDataArray* scalars() const { return this->isCut() ? this->Cut.Scalars : this->Scalars; }
   bool hasCellScalars() const { return this->CellScalars; }
   /** The original blocks of the grid's cells. */
-  const CellOrigins& origins() const { return this->Origins; }
+  const CellOrigins& origins() const { return this->isCut() ? this->CutOrigins : this->Origins; }
   /** Empty, or a list of the blocks that lack the array and are left out. */
   const std::string& omissions() const { return this->Omissions; }
   /** The number of joins. */
   const StageRecord& record() const { return this->Record; }
 
 private:
-  void joinChanged(vtkDataObject* input, const ScalarSelection& selection);
+  void restart(); // but for the leaves of trees
+  bool isCut() const { return this->Cut.Grid != nullptr; }
+  void joinChanged(vtkDataObject* input, const ScalarSelection& selection, double curvedTolerance,
+    const Progress& progress);
   std::string choose(const std::vector<Block>& blocks, const ScalarSelection& selection);
   std::string join(const std::vector<Block>& drawn);
   std::string joinScalars(const std::vector<Block>& drawn);
+  std::string cutCurvedCells(double tolerance, const Progress& progress);
   void joinGrid();
   void joinAttributes();
   std::vector<Block> drawnOf(const std::vector<Block>& blocks);
@@ -61,6 +69,8 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkSmartPointer<vtkDataArray> Scalars;
   bool CellScalars = false;
+  StraightGrid Cut;
+  CellOrigins CutOrigins;
   std::string Omissions;
   LeafGrids Leaves;
   StageRecord Record;

@@ -91,7 +91,7 @@ void OwnCells::update(
   }
   this->Scalars = ofCells ? valuesOf(scalars, cells) : vtkSmartPointer<vtkDataArray>(scalars);
   this->Origins = origins;
-  this->Origins.keepOnly(std::move(cells));
+  this->Origins.renumber(std::move(cells));
   this->MadeFrom = input;
 }
 

@@ -12,6 +12,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -137,7 +138,7 @@ public:
     {
       attributes->CopyData(this->Grid->GetCellData(), this->Origins->GetValue(i), i);
     }
-    this->Origins->SetName("vtkOriginalCellIds");
+    this->Origins->SetName(OriginalCells);
     attributes->AddArray(this->Origins);
     this->Output->GetFieldData()->PassData(this->Grid->GetFieldData());
     this->Output->Squeeze();
@@ -313,6 +314,19 @@ std::string errorOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
 }
 
 } // namespace
+
+CurvedTolerance toleranceOf(
+  vtkUnstructuredGrid* grid, vtkDataArray* scalars, double partOfDiagonal, double partOfRange)
+{
+  CurvedTolerance tolerance{ partOfDiagonal * grid->GetLength(), scalars, {} };
+  for (int c = 0; scalars && c < scalars->GetNumberOfComponents(); ++c)
+  {
+    double range[2];
+    scalars->GetFiniteRange(range, c);
+    tolerance.Values.push_back(partOfRange * (range[1] - range[0]));
+  }
+  return tolerance;
+}
 
 std::string tessellate(vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance,
   const std::function<bool(double)>& progress, vtkUnstructuredGrid* output)

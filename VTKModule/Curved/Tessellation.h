@@ -14,12 +14,19 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
+/** The array of the cells of a tessellation: those of the grid of which they are parts. */
+constexpr const char* OriginalCells = "vtkOriginalCellIds";
+
 struct CurvedTolerance
 {
   double Distance;            // in units of coordinates
   vtkDataArray* Scalars;      // of points, or null
   std::vector<double> Values; // for each component of the scalars
 };
+
+/** These parts of the grid's diagonal, and of the range of each component of the scalars. */
+CurvedTolerance toleranceOf(
+  vtkUnstructuredGrid* grid, vtkDataArray* scalars, double partOfDiagonal, double partOfRange);
 
 /**
  * Each cell begins as tetrahedra between its corners, in its parametric coordinates. An edge that

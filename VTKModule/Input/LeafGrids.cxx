@@ -23,6 +23,7 @@ Fingerprint versionOf(vtkHyperTreeGrid* tree)
   Fingerprint version;
   add(version, tree);
   add(version, tree->GetCellData());
+  add(version, tree->HasMask() ? tree->GetMask() : nullptr);
   add(version, tree->GetXCoordinates());
   add(version, tree->GetYCoordinates());
   add(version, tree->GetZCoordinates());

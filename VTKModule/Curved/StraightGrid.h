@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A grid without curved cells, which mappers draw in place of one that has some.
+#ifndef TetMarchCurvedStraightGrid_h
+#define TetMarchCurvedStraightGrid_h
+
+#include "Parallel/Progress.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+#include <vector>
+
+namespace tetmarch
+{
+
+struct StraightGrid
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; // null: none was made
+  vtkSmartPointer<vtkDataArray> Scalars;
+  std::vector<vtkIdType> Cells; // for each of its cells, that of which it is a part
+  bool Stopped = false;         // by the progress: there is no grid
+};
+
+/**
+ * Cuts the curved cells of a grid (tessellate()) within this part of its diagonal, and of the range
+ * of scalars if these are of points. Of arrays it keeps the scalars and the ghosts; cells that a
+ * ghost point hides are hidden by a ghost of their own. Without a grid if there are no curved
+ * cells. The grid must have passed checkGrid(), the scalars
+ * checkScalars(). Returns an empty string, or an error.
+ */
+std::string straighten(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells,
+  double tolerance, const Progress& progress, StraightGrid& straight);
+
+} // namespace tetmarch
+
+#endif
