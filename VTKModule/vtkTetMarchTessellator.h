@@ -6,8 +6,8 @@
  *
  * Quadratic, Lagrange and Bezier cells of a vtkUnstructuredGrid become tetrahedra whose edges keep
  * two tolerances: the distance from the cell's own shape, and the difference from the scalars by
- * its own shape functions. Without this filter, vtkTetMarchVolumeMapper draws linear pieces between
- * the points of a cell, whatever they miss.
+ * its own shape functions. vtkTetMarchVolumeMapper does the same with GeometryTolerance; without it
+ * it draws linear pieces between the points of a cell, whatever they miss.
  *
  * The output is watertight where the input is: an edge is halved in all cells that have it. In
  * cells with points of their own (discontinuous Galerkin) neighbours are cut by themselves, which

@@ -8,8 +8,8 @@
  * shader, each ray enters the mesh or its visible part through a boundary face and follows the
  * links between faces from cell to cell. Cells are not sorted, and the data are not resampled. All
  * linear 3D cells are drawn (tetrahedron, hexahedron, voxel, wedge, pyramid, pentagonal and
- * hexagonal prism, polyhedron), and quadratic ones by linear pieces. Other cells are left out with
- * a warning that counts them.
+ * hexagonal prism, polyhedron), and curved ones by linear pieces, or within a GeometryTolerance.
+ * Other cells are left out with a warning that counts them.
  *
  * Inside a tetrahedron the scalar is linear. Extinction and colour come from the functions of
  * component 0 of the vtkVolumeProperty: scalar opacity, scalar opacity unit distance, and colour or

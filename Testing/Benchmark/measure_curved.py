@@ -1,24 +1,30 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Curved cells by linear pieces, by our tolerances and by VTK's: measure_curved.py FOLDER [--cells N] [--frames N]
+"""What the accuracy of curved cells costs: measure_curved.py FOLDER [--cells N] [--frames N]
 
-A quarter of a ring in N x N x N VTK_QUADRATIC_HEXAHEDRON (6), which bend in two ways. It is drawn by linear pieces
-between their points, and cut by vtkTetMarchTessellator and by vtkTessellatorFilter (the same error of the shape and of
-the scalars, its points merged). It writes FOLDER/curved.md: tetrahedra, seconds to cut and to draw (of a first frame and
-of another), and the difference from the picture for a tolerance of a fourth of the smallest one.
+A quarter of a ring in N x N x N VTK_QUADRATIC_HEXAHEDRON (6), which bend in two ways, drawn by linear pieces between
+their points, within tolerances of the mapper, and cut by vtkTessellatorFilter: within the same tolerances (its points
+merged), and evenly, as often as ParaView's Nonlinear Subdivision Level says (0 to 4). It writes FOLDER/curved.md and
+curved.png: tetrahedra, bytes on the GPU, seconds of the first frame, with cutting, and of another, and the difference
+from the picture for a tolerance of a fourth of the smallest one.
 """
 import time
 
 import numpy as np
 import vtkmodules.all as vtk
+from accuracy_charts import add_legend, plt, save
 from measure_pixels import picture_of
 from measured_page import grid_options, row
 from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves, median_seconds
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtktetmarch import vtkTetMarchTessellator, vtkTetMarchVolumeMapper
+from vtktetmarch import vtkTetMarchVolumeMapper
 
 TOLERANCES = (1.6e-2, 4e-3, 1e-3)  # of the diagonal, and of the range of the scalars
 TRUE = TOLERANCES[-1] / 4
+LEVELS = range(5)
+LINEAR = "linear pieces between the points"
+OURS, VTKS, EVEN = "GeometryTolerance", "vtkTessellatorFilter, error", "vtkTessellatorFilter, subdivisions"
+STYLES = {LINEAR: ("#7f7f7f", "D"), OURS: ("#d62728", "o"), VTKS: ("#1f77b4", "s"), EVEN: ("#2ca02c", "^")}
 # In steps of half a cell: the corners, then the middles of the edges, in the order of VTK.
 NODES = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2),
          (1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
@@ -44,73 +50,95 @@ def ring(cells):
     return grid
 
 
-def cut_by_us(grid, tolerance):
-    cut = vtkTetMarchTessellator()
-    cut.SetInputData(grid)
-    cut.SetGeometryTolerance(tolerance)
-    cut.SetScalarTolerance(tolerance)
-    return cut
-
-
-def cut_by_vtk(grid, tolerance):
+def cut_by_vtk(grid, tolerance, most):
     cut = vtk.vtkTessellatorFilter()
     cut.SetInputData(grid)
     cut.SetOutputDimension(3)
     cut.SetChordError(tolerance * grid.GetLength())
     low, high = grid.GetPointData().GetScalars().GetRange()
     cut.SetFieldCriterion(0, tolerance * (high - low))
-    cut.SetMaximumNumberOfSubdivisions(8)
+    cut.SetMaximumNumberOfSubdivisions(most)
     cut.MergePointsOn()
     return cut
 
 
 class CurvedFrames(Frames):
-    def __init__(self, grid, cut, size):
-        self.cutting = 0.0
-        if cut:
-            begin = time.perf_counter()
-            cut.Update()
-            self.cutting = time.perf_counter() - begin
-            grid = cut.GetOutput()
+    def __init__(self, grid, size, tolerance=0.0, cut=None):
         begin = time.perf_counter()
         mapper = vtkTetMarchVolumeMapper()
-        mapper.SetInputData(grid)
         mapper.SetMaxDrawTimeInSeconds(ENOUGH_FOR_ONE_DRAW)
+        mapper.SetGeometryTolerance(tolerance)
+        if cut:
+            mapper.SetInputConnection(cut.GetOutputPort())
+        else:
+            mapper.SetInputData(grid)
         self.show(mapper, size)
         self.use_functions(*functions_of_waves(), 0.5)
         self.camera.SetFocalPoint(1, 1, 1)
         self.camera.SetPosition(4.5, -2.5, 4)
         self.camera.SetViewUp(0, 0, 1)
-        self.renderer.ResetCamera()
+        # The box of the whole ring, whatever cuts it.
+        self.renderer.ResetCamera(0, 2, 0, 2, -0.4, 2.4)
         self.first_position = self.camera.GetPosition()
         self.seconds(0)
         self.first = time.perf_counter() - begin
         self.tetrahedra = mapper.GetNumberOfTetrahedra()
+        self.bytes = mapper.GetGPUMemoryBytes()
+
+
+def ways_of(grid, size):
+    """{(family, what of it): Frames}."""
+    ways = {(LINEAR, ""): CurvedFrames(grid, size)}
+    for tolerance in TOLERANCES:
+        ways[OURS, f"{tolerance:g}"] = CurvedFrames(grid, size, tolerance)
+        ways[VTKS, f"{tolerance:g}"] = CurvedFrames(grid, size, cut=cut_by_vtk(grid, tolerance, 8))
+    for level in LEVELS:
+        ways[EVEN, f"{level}"] = CurvedFrames(grid, size, cut=cut_by_vtk(grid, 1e-9, level))
+    return ways
 
 
 def measure(cells, size, rounds):
+    """Of each way: tetrahedra, bytes, seconds of the first frame and of another, RMS and greatest error."""
     grid = ring(cells)
-    reference = picture_of(CurvedFrames(grid, cut_by_us(grid, TRUE), size).window)
-    ways = {"linear pieces between the points": None}
-    for tolerance in TOLERANCES:
-        ways[f"vtkTetMarchTessellator, {tolerance:g}"] = cut_by_us(grid, tolerance)
-        ways[f"vtkTessellatorFilter, {tolerance:g}"] = cut_by_vtk(grid, tolerance)
-    frames = {name: CurvedFrames(grid, cut, size) for name, cut in ways.items()}
-    medians = median_seconds(frames, rounds)
-    text = row(["cut by", "tetrahedra", "cutting, s", "first frame, s", "frame, s", "RMS", "greatest"])
-    text += "|---|" + "---:|" * 6 + "\n"
-    for name, each in frames.items():
+    reference = picture_of(CurvedFrames(grid, size, TRUE).window)
+    ways = ways_of(grid, size)
+    medians = median_seconds(ways, rounds)
+    found = {}
+    for name, each in ways.items():
         each.seconds(0)
         apart = np.abs(picture_of(each.window) - reference)
-        text += row([name, f"{each.tetrahedra:,}", f"{each.cutting:.2f}", f"{each.first:.2f}",
-                     f"{medians[name]:.3f}", f"{np.sqrt((apart**2).mean()):.1e}", f"{apart.max():.3f}"])
-    return f"{cells**3} cells\n\n{text}"
+        found[name] = (each.tetrahedra, each.bytes, each.first, medians[name], np.sqrt((apart**2).mean()), apart.max())
+    return found
+
+
+def table_of(found):
+    text = row(["cut by", "tetrahedra", "GPU, MB", "first frame, s", "frame, s", "RMS", "greatest"])
+    text += "|---|" + "---:|" * 6 + "\n"
+    for (family, which), (tetrahedra, size, first, frame, rms, greatest) in found.items():
+        text += row([f"{family} {which}".strip(), f"{tetrahedra:,}", f"{size / 1e6:.1f}", f"{first:.2f}",
+                     f"{frame:.3f}", f"{rms:.1e}", f"{greatest:.3f}"])
+    return text
+
+
+def draw(found, folder):
+    figure, both = plt.subplots(1, 2, figsize=(8.5, 3.6), sharey=True)
+    for axes, column, label in zip(both, (2, 1), ("first frame, s", "bytes on the GPU")):
+        for family, (color, marker) in STYLES.items():
+            points = [(values[column], values[4]) for (of, _), values in found.items() if of == family]
+            axes.plot(*zip(*points), label=family, color=color, marker=marker)
+        axes.set(xscale="log", yscale="log", xlabel=label)
+    both[0].set_ylabel("RMS error")
+    add_legend(figure, both[0], 2)
+    figure.tight_layout()
+    save(figure, folder, "curved")
 
 
 def main():
     options = grid_options(__doc__, "--cells", 6, frames=5)
-    text = measure(options.cells, options.size, options.frames)
+    found = measure(options.cells, options.size, options.frames)
+    text = f"{options.cells**3} cells\n\n{table_of(found)}"
     (options.folder / "curved.md").write_text(text)
+    draw(found, options.folder)
     print(text)
 
 

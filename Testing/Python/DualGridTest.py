@@ -216,7 +216,12 @@ class ErrorsTest(unittest.TestCase):
     def test_what_cannot_be_converted(self):
         flat, turned = tree(2, dimensions=(4, 4, 1)), tree(2)
         turned.SetYCoordinates(numpy_to_vtk(np.arange(ROOTS + 1.0)[::-1], deep=True))
+        half, short = tree(2), tree(2)
+        half.SetMask(vtk.vtkBitArray())
+        half.GetMask().InsertNextValue(0)
+        short.GetCellData().GetArray("v").SetNumberOfTuples(3)
         for data, words in ((flat, "2 dimension"), (vtk.vtkHyperTreeGrid(), "dimension"), (turned, "ascend"),
+                            (half, "mask has 1 values"), (short, "3 tuples"),
                             (vtk.vtkOverlappingAMR(), "no block"),
                             (blocks(fine_low=(1.1, 1, 1)), "multiples"), (blocks(spacing=0.4), "multiples")):
             with self.subTest(words=words), VtkErrors() as errors:

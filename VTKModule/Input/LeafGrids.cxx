@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/LeafGrids.h"
 
+#include "Input/TreeCheck.h"
+
 #include "vtkBitArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -10,8 +12,6 @@
 #include "vtkHyperTreeGrid.h"
 #include "vtkHyperTreeGridToUnstructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <array>
 
 namespace tetmarch
 {
@@ -28,40 +28,6 @@ Fingerprint versionOf(vtkHyperTreeGrid* tree)
   add(version, tree->GetYCoordinates());
   add(version, tree->GetZCoordinates());
   return version;
-}
-
-// Empty, or why the tree's cells can't be read: its coordinates, mask or arrays are too short.
-std::string checkTree(vtkHyperTreeGrid* tree)
-{
-  const std::array<vtkDataArray*, 3> coordinates{ { tree->GetXCoordinates(),
-    tree->GetYCoordinates(), tree->GetZCoordinates() } };
-  const unsigned int* points = tree->GetDimensions();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (!coordinates[axis] || coordinates[axis]->GetNumberOfTuples() < vtkIdType(points[axis]))
-    {
-      return "The tree has " + std::to_string(points[axis]) + " points along axis " +
-             std::to_string(axis) + ", but fewer coordinates.";
-    }
-  }
-  const vtkIdType cells = tree->GetGlobalNodeIndexMax() + 1;
-  if (tree->HasMask() && tree->GetMask()->GetNumberOfTuples() < cells)
-  {
-    return "The tree's mask has " + std::to_string(tree->GetMask()->GetNumberOfTuples()) +
-           " values, but the tree has " + std::to_string(cells) + " cells.";
-  }
-  vtkCellData* data = tree->GetCellData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(i);
-    if (array->GetNumberOfTuples() < cells)
-    {
-      return "The array \"" + std::string(array->GetName() ? array->GetName() : "") + "\" has " +
-             std::to_string(array->GetNumberOfTuples()) + " tuples, but the tree has " +
-             std::to_string(cells) + " cells.";
-    }
-  }
-  return {};
 }
 
 } // namespace

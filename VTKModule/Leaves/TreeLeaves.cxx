@@ -3,6 +3,7 @@
 // The leaves of a vtkHyperTreeGrid.
 #include "Leaves/LeafList.h"
 
+#include "Input/TreeCheck.h"
 #include "Scalars/GhostArrays.h"
 
 #include "vtkCellData.h"
@@ -11,7 +12,6 @@
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tetmarch
@@ -37,10 +37,8 @@ public:
     }
     else if (cursor->IsLeaf())
     {
-      const bool hidden = this->Ghosts && node < this->Ghosts->GetNumberOfValues() &&
-                          (this->Ghosts->GetValue(node) & HidingCell);
+      const bool hidden = this->Ghosts && (this->Ghosts->GetValue(node) & HidingCell);
       this->Found.add(box, !hidden, 0, node);
-      this->LastNode = std::max(this->LastNode, node);
     }
     else
     {
@@ -54,7 +52,6 @@ public:
   }
 
   LeafList Found;
-  vtkIdType LastNode = -1; // of leaves
 
 private:
   Leaf childOf(const Leaf& box, int child) const
@@ -80,7 +77,7 @@ double widthOfRoot(vtkHyperTreeGrid* grid)
   return std::pow(grid->GetBranchFactor(), static_cast<double>(grid->GetNumberOfLevels()) - 1);
 }
 
-std::string checkTree(vtkHyperTreeGrid* grid)
+std::string checkExtent(vtkHyperTreeGrid* grid)
 {
   if (grid->GetDimension() != 3)
   {
@@ -103,37 +100,26 @@ std::string checkTree(vtkHyperTreeGrid* grid)
 
 std::string findAxis(vtkDataArray* coordinates, unsigned int points, LeafAxis& axis)
 {
-  for (unsigned int i = 0; coordinates && i < points; ++i)
+  for (unsigned int i = 0; i < points; ++i)
   {
-    if (i < coordinates->GetNumberOfTuples())
-    {
-      axis.Breaks.push_back(coordinates->GetComponent(i, 0));
-    }
+    axis.Breaks.push_back(coordinates->GetComponent(i, 0));
   }
-  bool ascends = axis.Breaks.size() == points;
+  bool ascends = true;
   for (std::size_t i = 1; i < axis.Breaks.size(); ++i)
   {
     ascends = ascends && axis.Breaks[i] > axis.Breaks[i - 1] && std::isfinite(axis.Breaks[i]);
   }
   return ascends && std::isfinite(axis.Breaks.front())
            ? std::string()
-           : "The tree needs coordinates that ascend along each axis, one for each of its points.";
-}
-
-std::vector<vtkDataArray*> arraysOf(vtkHyperTreeGrid* grid, vtkIdType lastNode)
-{
-  std::vector<vtkDataArray*> arrays = valueArraysOf(grid->GetCellData());
-  arrays.erase(std::remove_if(arrays.begin(), arrays.end(),
-                 [&](vtkDataArray* array) { return array->GetNumberOfTuples() <= lastNode; }),
-    arrays.end());
-  return arrays;
+           : "The tree needs coordinates that ascend along each axis.";
 }
 
 } // namespace
 
 std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
 {
-  std::string error = checkTree(grid);
+  std::string error = checkExtent(grid);
+  error = error.empty() ? checkTree(grid) : error;
   std::array<LeafAxis, 3> axes;
   const std::array<vtkDataArray*, 3> coordinates{ { grid->GetXCoordinates(),
     grid->GetYCoordinates(), grid->GetZCoordinates() } };
@@ -170,7 +156,7 @@ std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
       walk.Found.add(box, false, 0, 0);
     }
   }
-  leaves = walk.Found.made(std::move(axes), { arraysOf(grid, walk.LastNode) });
+  leaves = walk.Found.made(std::move(axes), { valueArraysOf(grid->GetCellData()) });
   leaves.ActiveScalars = activeScalarsOf(grid->GetCellData());
   return leaves.Shown == 0 ? "The tree has no leaf that is drawn." : std::string();
 }
