@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "QuadraticGrids.h"
 #include "ReaderCase.h"
 #include "TestGrids.h"
 
@@ -198,29 +197,6 @@ TEST_F(DatasetReader, RefusesLegacyFilesThatEndInTheirValues)
   EXPECT_EQ(GetError(path),
     "cannot read '" + path + "': the file is damaged or not of the kind that its ending says");
   ::testing::internal::GetCapturedStderr();
-}
-
-TEST_F(DatasetReader, CutsCurvedCellsByATolerance)
-{
-  const auto grid = tetmarch::testing::quadraticTetLattice(1, 0.1);
-  const std::string path = this->Write<vtkXMLUnstructuredGridWriter>("curved.vtu", grid);
-  const auto read = [&path](std::optional<tetmarch::CurveTolerances> curves)
-  {
-    tetmarch::WantedArray wanted;
-    wanted.Curves = curves;
-    return tetmarch::ReadVolume(path, std::nullopt, {}, wanted);
-  };
-  EXPECT_EQ(read({}).Blocks[0]->GetCellType(0), VTK_QUADRATIC_TETRA);
-  vtkIdType before = grid->GetNumberOfCells();
-  for (const double tolerance : { 1e-2, 1e-3 })
-  {
-    const auto volume = read(tetmarch::CurveTolerances{ tolerance, 1.0 });
-    vtkDataSet* cut = volume.Blocks[0];
-    EXPECT_EQ(cut->GetCellType(0), VTK_TETRA);
-    EXPECT_EQ(cut->GetCellData()->GetNumberOfArrays(), grid->GetCellData()->GetNumberOfArrays());
-    EXPECT_GT(cut->GetNumberOfCells(), before);
-    before = cut->GetNumberOfCells();
-  }
 }
 
 TEST_F(DatasetReader, LeavesOutGhostCells)

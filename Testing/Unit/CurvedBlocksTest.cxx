@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Blocks of curved cells, which are cut when they have been joined.
 #include "FilledCube.h"
+#include "Grids.h"
 #include "JoinedGrids.h"
 #include "QuadraticGrids.h"
 

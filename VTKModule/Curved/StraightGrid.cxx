@@ -14,10 +14,15 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+
 namespace tetmarch
 {
 namespace
 {
+
+// That of vtkTetMarchTessellator: rounding is far below it.
+constexpr double LeastTolerance = 1e-6;
 
 bool hasCurvedCells(vtkUnstructuredGrid* grid)
 {
@@ -71,7 +76,7 @@ vtkSmartPointer<vtkUnstructuredGrid> drawnPart(
 
 std::vector<vtkIdType> cellsOf(vtkUnstructuredGrid* cut)
 {
-  const auto* of = vtkIdTypeArray::SafeDownCast(cut->GetCellData()->GetArray(OriginalCells));
+  auto* of = vtkIdTypeArray::SafeDownCast(cut->GetCellData()->GetArray(OriginalCells));
   return { of->GetPointer(0), of->GetPointer(0) + of->GetNumberOfValues() };
 }
 
@@ -80,6 +85,7 @@ std::vector<vtkIdType> cellsOf(vtkUnstructuredGrid* cut)
 std::string straighten(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells,
   double tolerance, const Progress& progress, StraightGrid& straight)
 {
+  const double kept = std::max(tolerance, LeastTolerance);
   straight = {};
   if (!hasCurvedCells(grid))
   {
@@ -96,8 +102,8 @@ std::string straighten(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool of
         return !straight.Stopped;
       };
       auto cut = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      error = tessellate(
-        drawn, toleranceOf(grid, ofCells ? nullptr : scalars, tolerance, tolerance), report, cut);
+      error =
+        tessellate(drawn, toleranceOf(grid, ofCells ? nullptr : scalars, kept, kept), report, cut);
       if (error.empty() && !straight.Stopped)
       {
         vtkDataSetAttributes* of =

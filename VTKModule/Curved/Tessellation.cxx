@@ -29,6 +29,8 @@ namespace
 constexpr double TestedAt[] = { 0.25, 0.5, 0.75 };
 // An edge of 1/64 of a cell's is no longer tested: functions that are no polynomials end here.
 constexpr float ShortestTested = 1.0F / 64;
+// Of shape functions, in parts of the greatest value; scalars that are all alike differ by it.
+constexpr double RoundingOfValues = 1e-13;
 constexpr vtkIdType CellsBetweenProgress = 1000;
 
 struct CutCell
@@ -323,7 +325,9 @@ CurvedTolerance toleranceOf(
   {
     double range[2];
     scalars->GetFiniteRange(range, c);
-    tolerance.Values.push_back(partOfRange * (range[1] - range[0]));
+    const double greatest = std::max(std::abs(range[0]), std::abs(range[1]));
+    tolerance.Values.push_back(
+      std::max(partOfRange * (range[1] - range[0]), RoundingOfValues * greatest));
   }
   return tolerance;
 }
