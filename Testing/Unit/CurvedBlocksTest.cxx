@@ -6,6 +6,7 @@
 #include "JoinedGrids.h"
 #include "QuadraticGrids.h"
 
+#include "Blocks/OwnCells.h"
 #include "Scalars/GhostArrays.h"
 
 #include "vtkCellData.h"
@@ -120,6 +121,23 @@ TEST_F(CurvedBlocks, StayHidden)
     }
   }
   EXPECT_EQ(hidden, (std::set<vtkIdType>{ 0, grid->GetNumberOfCells() - 1 }));
+}
+
+// Of several processes: what another one draws is left out, and the rest tells its cells.
+TEST_F(CurvedBlocks, TellTheirCellsWithoutThoseOfOthers)
+{
+  const Grid grid = lattice();
+  grid->AllocateCellGhostArray();
+  grid->GetCellGhostArray()->SetValue(0, vtkDataSetAttributes::DUPLICATECELL);
+  this->cut(grid);
+  OwnCells own;
+  own.update(this->grid(), this->Blocks.scalars(), false, this->Blocks.origins());
+  std::set<vtkIdType> told;
+  for (vtkIdType tet = 0; tet < own.grid()->GetNumberOfCells(); ++tet)
+  {
+    told.insert(own.origins().of(tet).Cell);
+  }
+  EXPECT_EQ(told, (std::set<vtkIdType>{ 1, 2, 3, 4, 5, 6, 7 }));
 }
 
 TEST_F(CurvedBlocks, AreCutLaterIfTheyWereStopped)
