@@ -51,7 +51,8 @@ COMMON = {
     "ViewRange": [1.0, 30.0],
     "VolumetricScatteringBlending": 0.5,
 }
-UNSTRUCTURED = {**COMMON, "OpacityLaw": "Structured", "ExactCompositing": 0, "UseDataPartitions": 0}
+UNSTRUCTURED = {**COMMON, "GeometryTolerance": 0.25, "OpacityLaw": "Structured", "ExactCompositing": 0,
+                "UseDataPartitions": 0}
 IMAGE = {**COMMON, "OpacityLaw": "Unstructured", "InterpolationType": "Nearest", "SampleDistance": 0.5,
          "UseJittering": 1}
 # Set after all of them, one after the other, so that each shows in some picture.
