@@ -80,6 +80,13 @@ TEST_F(CurvedBlocks, AreCutAnewForOtherScalarsAndTolerances)
   this->cut(grid);
   EXPECT_LT(this->grid()->GetNumberOfCells(), first);
   EXPECT_EQ(this->Blocks.scalars()->GetRange()[0], 3);
+  flat->SetNumberOfTuples(3);
+  flat->Modified();
+  EXPECT_NE(this->Blocks.update(grid, ActiveScalars, Tolerance), "");
+  EXPECT_EQ(this->grid(), nullptr);
+  flat->SetNumberOfTuples(grid->GetNumberOfPoints());
+  flat->FillComponent(0, 3);
+  flat->Modified();
   EXPECT_EQ(this->Blocks.update(grid, ActiveScalars, 1), "");
   EXPECT_EQ(this->grid()->GetNumberOfCells(), 6 * 8);
   EXPECT_EQ(this->Blocks.update(grid, ActiveScalars), "");

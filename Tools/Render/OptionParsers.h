@@ -28,7 +28,6 @@ std::vector<double> ParseNanColor(const std::string& value);
 std::vector<std::array<double, 2>> ParseGradientOpacity(const std::string& value);
 /// -1: the magnitude.
 int ParseComponent(const std::string& value);
-/// Of the shape, and maybe of the scalar.
 TimeRange ParseTimeRange(const std::string& value);
 /// A whole number from least to most.
 int ParseWholeWithin(const std::string& value, int least, int most);

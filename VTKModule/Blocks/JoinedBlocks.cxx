@@ -215,7 +215,6 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
 
 std::string JoinedBlocks::cutCurvedCells(double tolerance, const Progress& progress)
 {
-  this->Cut = {};
   if (tolerance == 0 || !this->Grid)
   {
     return {};
@@ -287,6 +286,7 @@ void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& sele
     return;
   }
   StageRecorder recorder(this->Record);
+  this->Cut = {};
   const bool sameShape = shape == this->Shape && this->Error.empty();
   if (!sameShape)
   {
