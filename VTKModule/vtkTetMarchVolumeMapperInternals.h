@@ -29,13 +29,9 @@ public:
   bool isShared() const { return this->Distributed.Processes.size() > 1; }
   /** The drawn data of a grid, which may be nullptr. */
   tetmarch::DrawnData drawnOf(vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid);
-  /** The options of the mesh without other processes: those of the last common frame. */
-  tetmarch::PieceOptions pieceAlone() const
-  {
-    tetmarch::PieceOptions piece = this->Distributed.Piece;
-    piece.ByCoordinates = this->Distributed.HasController;
-    return piece;
-  }
+  /** The options of the mesh of this input without other processes: those of the last common
+   * frame. */
+  tetmarch::PieceOptions pieceAlone(vtkDataObject* input) const;
   const tetmarch::CellOrigins& origins() const
   {
     return this->isShared() ? this->Own.origins() : this->Blocks.origins();

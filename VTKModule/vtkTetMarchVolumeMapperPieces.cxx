@@ -4,7 +4,17 @@
 #include "vtkTetMarchVolumeMapperInternals.h"
 
 #include "vtkMultiProcessController.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
+
+//------------------------------------------------------------------------------
+// The points of curvilinear pieces have the same order in all processes, by which one process cuts.
+tetmarch::PieceOptions vtkTetMarchVolumeMapper::Internals::pieceAlone(vtkDataObject* input) const
+{
+  tetmarch::PieceOptions piece = this->Distributed.Piece;
+  piece.ByCoordinates = this->Distributed.HasController && !vtkStructuredGrid::SafeDownCast(input);
+  return piece;
+}
 
 //------------------------------------------------------------------------------
 tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
@@ -25,8 +35,9 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
     data = this->Own.grid();
     scalars.Array = this->Own.scalars();
   }
-  return { { data, this->pieceAlone() }, scalars, tetmarch::vectorOptionsOf(mapper),
-    tetmarch::blendOptionsOf(mapper), tetmarch::clippingOptionsOf(mapper), {},
+  return { { data, this->pieceAlone(mapper->GetDataObjectInput()) }, scalars,
+    tetmarch::vectorOptionsOf(mapper), tetmarch::blendOptionsOf(mapper),
+    tetmarch::clippingOptionsOf(mapper), {},
     this->isShared() ? this->Distributed.Whole : WholeRanges() };
 }
 

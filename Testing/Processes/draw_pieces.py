@@ -56,6 +56,16 @@ def hexahedra():
     return grid
 
 
+def curvilinear_layers(grid, process, processes):
+    """Those of hexahedra() that are a process's own, whose cells are computed from i, j, k."""
+    layers = vtk.vtkExtractGrid()
+    layers.SetInputData(made_grids.curvilinear(made_grids.points_of(grid), CUBES))
+    layers.GetInput().GetPointData().AddArray(grid.GetPointData().GetArray(SCALARS))
+    layers.SetVOI(0, CUBES, 0, CUBES, CUBES * process // processes, CUBES * (process + 1) // processes)
+    layers.Update()
+    return layers.GetOutput()
+
+
 def with_own_points(grid, most):
     """Each cell has points of its own; from a plane on, scalars jump by up to `most` between cells."""
     corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
@@ -84,6 +94,7 @@ SCENES = {
     "random_ghosts": {"partition": "random_cells", "ghosts": True},
     "hexahedra": {"grid": hexahedra},
     "random_hexahedra": {"grid": hexahedra, "partition": "random_cells"},
+    "curvilinear": {"grid": hexahedra, "layers": curvilinear_layers},
     "own_points": {"grid": lambda: with_own_points(tetrahedra(), 0.0), "partition": "random_cells"},
     "jumps": {"grid": lambda: with_own_points(tetrahedra(), 0.2), "partition": "random_cells"},
     "jumps_isosurface": {"grid": lambda: with_own_points(tetrahedra(), 0.2), "blend": "isosurface"},
@@ -154,8 +165,11 @@ class Picture:
         rank, processes = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
         grid = scene.get("grid", tetrahedra)()
         change_scalars(grid, scene)
-        owner = partitions.PARTITIONS[scene.get("partition", "spirals")](grid, processes)
-        piece = partitions.piece_of(grid, owner, rank, scene.get("ghosts", False))
+        if "layers" in scene:
+            piece = scene["layers"](grid, rank, processes)
+        else:
+            owner = partitions.PARTITIONS[scene.get("partition", "spirals")](grid, processes)
+            piece = partitions.piece_of(grid, owner, rank, scene.get("ghosts", False))
         self.mapper = Mapper()
         self.mapper.SetController(controller)
         self.mapper.AutoAdjustSampleDistancesOff()
@@ -188,7 +202,7 @@ class Picture:
             self.mapper.SetScalarModeToUsePointFieldData()
             self.mapper.SelectScalarArray(SCALARS)
         if not scene.get("blocks"):
-            self.mapper.SetInputData(piece)
+            self.mapper.SetInputDataObject(piece)
             return
         blocks = vtk.vtkMultiBlockDataSet()
         halves = partitions.slabs(piece, 2) if piece.GetNumberOfCells() else np.zeros(0, dtype=int)

@@ -57,6 +57,7 @@ StageResult MapperFrame::agreeOnFrame(
   WholeVolume whole;
   whole.Level = this->State.Level;
   whole.SampleDistance = this->Options.Draw.SampleDistance;
+  whole.Piece = drawn.Volume.Piece;
   const std::string wrong = found.empty() ? this->describeBadForGroup() : found;
   const std::string error =
     agreeOnWhole(group, wrong, vtkUnstructuredGrid::SafeDownCast(drawn.Volume.Data), whole);

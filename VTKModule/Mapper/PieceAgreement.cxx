@@ -117,7 +117,9 @@ std::string agreeOnWhole(
 {
   const Corners piece = cornersOf(grid);
   Stream message;
-  message << own << isInFloat(grid) << bytesOf(whole.Level) << whole.SampleDistance;
+  const bool byCoordinates = whole.Piece.ByCoordinates && !piece.isEmpty();
+  message << own << isInFloat(grid) << byCoordinates << bytesOf(whole.Level)
+          << whole.SampleDistance;
   for (int k = 0; k < 3; ++k)
   {
     message << piece.Low[k] << piece.High[k];
@@ -125,15 +127,16 @@ std::string agreeOnWhole(
   std::vector<Stream> said = group.tellAll(message);
   std::string wrong;
   Corners all;
-  whole.Piece.InFloat = false;
+  whole.Piece = {};
   for (int p = 0; p < group.size(); ++p)
   {
     std::string error, level;
-    bool inFloat = false;
+    bool inFloat = false, cutsByCoordinates = false;
     double distance = 1;
-    said[p] >> error >> inFloat >> level >> distance;
+    said[p] >> error >> inFloat >> cutsByCoordinates >> level >> distance;
     wrong = wrong.empty() && !error.empty() ? named(group, p, error) : wrong;
     whole.Piece.InFloat = whole.Piece.InFloat || inFloat;
+    whole.Piece.ByCoordinates = whole.Piece.ByCoordinates || cutsByCoordinates;
     if (p == 0)
     {
       setBytes(level, whole.Level);
@@ -156,7 +159,6 @@ std::string agreeOnWhole(
     whole.Box =
       vtkBoundingBox(all.Low[0], all.High[0], all.Low[1], all.High[1], all.Low[2], all.High[2]);
   }
-  whole.Piece.ByCoordinates = true;
   whole.Piece.IsPiece = group.size() > 1;
   return !wrong.empty() || whole.IsEmpty || !whole.Piece.IsPiece
            ? wrong

@@ -48,7 +48,8 @@ struct WholeVolume
 vtkBoundingBox wholeBox(Group& group, const vtkBoundingBox& own);
 
 /** The frame of the cells of all grids, of which own one may be nullptr; accuracy and distance of
- * rays as process 0 has them. Returns an empty string, or what is wrong with any process. */
+ * rays as process 0 has them; faces cut by coordinates if a process with cells asks for it. Returns
+ * an empty string, or what is wrong with any process. */
 std::string agreeOnWhole(
   Group& group, const std::string& own, vtkUnstructuredGrid* grid, WholeVolume& whole);
 
