@@ -216,11 +216,12 @@ bool isFinished(March march)
 CONSTANT int STEPS_OF_RUN = 16;
 
 // The steps after which the march comes back. Rays of a group leave the mesh at different times, and those that have
-// left wait for the others before they search their next entry: not for longer than a run.
-int endOfRun(March march)
+// left wait for the others before they search their next entry: not for longer than a run. Without runs, the steps are
+// a uniform that a compiler need not keep.
+int endOfRun(int begin)
 {
 #if TETMARCH_REENTERED
-  return min(march.stepsTaken + STEPS_OF_RUN, mostSteps);
+  return min(begin + STEPS_OF_RUN, mostSteps);
 #else
   return mostSteps;
 #endif
@@ -241,9 +242,9 @@ bool staysInside(bool onward)
 bool marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(March) march)
 {
   CellInterval cell = beginCellInterval(ray, place);
-  int runEnd = endOfRun(march);
+  int begin = march.stepsTaken;
   bool onward = true;
-  while (onward && march.stepsTaken < runEnd)
+  while (onward && march.stepsTaken < endOfRun(begin))
   {
     onward = passToSeenCell(ray, depthEnd, place, cell, march);
     keepTransmittance(march);
