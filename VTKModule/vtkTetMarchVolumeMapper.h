@@ -125,8 +125,8 @@ public:
    *
    * Faces with more than three corners are cut through the corner with the smallest coordinates, x
    * first, also with a controller of one process; without a controller through that with the
-   * smallest id. Those of curvilinear grids are always cut by ids, which have the order of i, j, k in
-   * each piece.
+   * smallest id. Those of curvilinear grids are always cut by ids, which have the order of i, j, k
+   * in each piece.
    *
    * Gradients at points that pieces share are those of all pieces. Shadows and ambient occlusion
    * are computed within the piece of each process. View modes other than the picture, and depth

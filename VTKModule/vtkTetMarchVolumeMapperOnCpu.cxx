@@ -31,7 +31,8 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
   {
     tetmarch::ResourceLimits limits; // what the GL can hold is checked by the frame
     limits.Bytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
-    error = internal.Tets.updateGeometry({ grid, internal.pieceAlone(this->GetDataObjectInput()) }, limits, progress);
+    error = internal.Tets.updateGeometry(
+      { grid, internal.pieceAlone(this->GetDataObjectInput()) }, limits, progress);
   }
   return this->Report(error) && grid && !internal.Tets.isEmpty();
 }

@@ -87,8 +87,8 @@ struct CommandLine
   int Turntable = 0;             // pictures all around; 0: one picture
   // Interpolation of these; linear by default, of adaptive meshes nearest.
   std::optional<bool> Nearest;
-  std::optional<double> SampleDistance;  // of the level Sampled; by default that of the mapper
-  bool Jitter = false;                   // of its first samples
+  std::optional<double> SampleDistance; // of the level Sampled; by default that of the mapper
+  bool Jitter = false;                  // of its first samples
   CutOptions Cuts;
   LightOptions Light;
   std::vector<std::string> Surfaces; // files

@@ -31,7 +31,7 @@ public:
     this->Ends.push_back((this->Ends.empty() ? 0 : this->Ends.back()) + numberOfCells);
   }
 
-  /** The grid's cells are now these ones of it, or parts of them, in this order. */
+  /** The grid has new cells: number i comes from cell cells[i] of those before. */
   void renumber(std::vector<vtkIdType>&& cells)
   {
     for (vtkIdType& cell : cells)
@@ -59,7 +59,7 @@ private:
 
   std::vector<unsigned int> Blocks;
   std::vector<vtkIdType> Ends;       // one past the last cell of each block
-  std::vector<vtkIdType> Renumbered; // the number that each cell had first; empty: its own
+  std::vector<vtkIdType> Renumbered; // the first number of each cell; empty: no change
 };
 
 } // namespace tetmarch

@@ -221,8 +221,11 @@ std::string JoinedBlocks::cutCurvedCells(double tolerance, const Progress& progr
   }
   std::string error =
     straighten(this->Grid, this->Scalars, this->CellScalars, tolerance, progress, this->Cut);
-  this->CutOrigins = this->Origins;
-  this->CutOrigins.renumber(std::move(this->Cut.Cells));
+  if (this->isCut())
+  {
+    this->CutOrigins = this->Origins;
+    this->CutOrigins.renumber(std::move(this->Cut.Cells));
+  }
   return error;
 }
 

@@ -9,7 +9,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -44,19 +43,13 @@ vtkSmartPointer<vtkUnsignedCharArray> ghostsOf(vtkUnstructuredGrid* grid)
   {
     return given.OfCells;
   }
+  const std::vector<bool> hides = cellsOfHiddenPoints(grid, given.OfPoints);
   auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    unsigned char ghost = given.OfCells ? given.OfCells->GetValue(cell) : 0;
-    grid->GetCellPoints(cell, points);
-    for (const vtkIdType point : *points)
-    {
-      const bool hides = (given.OfPoints->GetValue(point) & HidingPoint) != 0;
-      ghost |= hides ? vtkDataSetAttributes::HIDDENCELL : 0;
-    }
-    ghosts->InsertNextValue(ghost);
+    const unsigned char ghost = given.OfCells ? given.OfCells->GetValue(cell) : 0;
+    ghosts->InsertNextValue(hides[cell] ? ghost | vtkDataSetAttributes::HIDDENCELL : ghost);
   }
   return ghosts;
 }

@@ -20,16 +20,16 @@ struct StraightGrid
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid; // null: none was made
   vtkSmartPointer<vtkDataArray> Scalars;
-  std::vector<vtkIdType> Cells; // for each of its cells, that of which it is a part
+  std::vector<vtkIdType> Cells; // for each new cell the id of the given cell that it comes from
   bool Stopped = false;         // by the progress: there is no grid
 };
 
 /**
  * Cuts the curved cells of a grid (tessellate()) within this part of its diagonal, and of the range
- * of scalars if these are of points. Of arrays it keeps the scalars and the ghosts; cells that a
- * ghost point hides are hidden by a ghost of their own. Without a grid if there are no curved
- * cells. The grid must have passed checkGrid(), the scalars
- * checkScalars(). Returns an empty string, or an error.
+ * of scalars if these are of points. It keeps no arrays but the scalars and the ghosts of cells; a
+ * cell with a hidden point becomes a hidden cell. It makes no grid if there are no curved cells.
+ * The grid must have passed checkGrid(), the scalars checkScalars(). Returns an empty string, or an
+ * error.
  */
 std::string straighten(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells,
   double tolerance, const Progress& progress, StraightGrid& straight);

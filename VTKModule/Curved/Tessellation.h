@@ -14,7 +14,8 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** The array of the cells of a tessellation: those of the grid of which they are parts. */
+/** The name of an array of a tessellation: for each cell the id of the given cell that it comes
+ * from. */
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
 
 struct CurvedTolerance

@@ -2,33 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/HiddenCells.h"
 
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-
 namespace tetmarch
 {
-namespace
-{
-
-// Whether some point of each cell is hidden.
-std::vector<bool> findCellsOfHiddenPoints(vtkPointSet* grid, vtkUnsignedCharArray* points)
-{
-  std::vector<bool> found(static_cast<std::size_t>(grid->GetNumberOfCells()));
-  vtkNew<vtkIdList> corners;
-  for (std::size_t cell = 0; cell < found.size(); ++cell)
-  {
-    grid->GetCellPoints(static_cast<vtkIdType>(cell), corners);
-    found[cell] = std::any_of(corners->begin(), corners->end(),
-      [points](vtkIdType p) { return (points->GetValue(p) & HidingPoint) != 0; });
-  }
-  return found;
-}
-
-} // namespace
 
 HiddenCells hiddenCells(vtkPointSet* grid, const TetMesh& mesh)
 {
@@ -37,7 +15,7 @@ HiddenCells hiddenCells(vtkPointSet* grid, const TetMesh& mesh)
   std::vector<bool> byPoints;
   if (hasAny(ghosts.OfPoints, HidingPoint))
   {
-    byPoints = findCellsOfHiddenPoints(grid, ghosts.OfPoints);
+    byPoints = cellsOfHiddenPoints(grid, ghosts.OfPoints);
   }
   HiddenCells hidden((mesh.TetCells.size() + 31) / 32, 0u);
   bool any = false;

@@ -6,6 +6,8 @@
 
 #include "vtkDataSetAttributes.h"
 
+#include <vector>
+
 class vtkDataSet;
 class vtkUnsignedCharArray;
 
@@ -31,6 +33,9 @@ GhostArrays ghostArraysOf(vtkDataSet* data);
 
 /** Whether some value has one of the bits. */
 bool hasAny(vtkUnsignedCharArray* ghosts, unsigned char bits);
+
+/** For each cell whether one of its points is hidden, by this array of points. */
+std::vector<bool> cellsOfHiddenPoints(vtkDataSet* grid, vtkUnsignedCharArray* ofPoints);
 
 } // namespace tetmarch
 
