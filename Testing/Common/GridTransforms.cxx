@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridTransforms.h"
 
+#include "CubeTopology.h"
 #include "LatticeGrids.h"
 
 #include "vtkCellArray.h"
@@ -12,8 +13,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -199,6 +203,36 @@ Grid withJumps(vtkUnstructuredGrid* grid, double most, unsigned seed)
   {
     f->SetComponent(i, 0, f->GetComponent(i, 0) + most * (2.0 * uniform(generator) - 1.0));
   }
+  return result;
+}
+
+Grid inTetrahedra(vtkUnstructuredGrid* hexahedra)
+{
+  auto result = Grid::New();
+  result->SetPoints(hexahedra->GetPoints());
+  vtkDataArray* values = hexahedra->GetCellData()->GetArray("c");
+  vtkUnsignedCharArray* ghosts = hexahedra->GetCellGhostArray();
+  vtkNew<vtkDoubleArray> ofTets;
+  ofTets->SetName("c");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < hexahedra->GetNumberOfCells(); ++cell)
+  {
+    if (ghosts && ghosts->GetValue(cell) != 0)
+    {
+      continue;
+    }
+    hexahedra->GetCellPoints(cell, ids);
+    for (const auto& corners : KuhnTets)
+    {
+      vtkIdType tet[4];
+      std::transform(std::begin(corners), std::end(corners), tet,
+        [&](int corner) { return ids->GetId(HexCorners[corner]); }); // its own inverse
+      result->InsertNextCell(VTK_TETRA, 4, tet);
+      ofTets->InsertNextValue(values->GetComponent(cell, 0));
+    }
+  }
+  result->GetPointData()->ShallowCopy(hexahedra->GetPointData());
+  result->GetCellData()->SetScalars(ofTets);
   return result;
 }
 

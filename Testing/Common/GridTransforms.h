@@ -33,6 +33,10 @@ Grid withRepeatedPoints(vtkUnstructuredGrid* grid);
 /// they jump between cells.
 Grid withJumps(vtkUnstructuredGrid* grid, double most, unsigned seed = 1);
 
+/// Convex hexahedra with plane faces in six tetrahedra each, with the "c" of their cell and all
+/// point data. Those that a ghost array marks are left out.
+Grid inTetrahedra(vtkUnstructuredGrid* hexahedra);
+
 /// The cells of both, first those of a, with their "f" and "c"; no points are merged. No polyhedra.
 Grid joined(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
 } // namespace tetmarch::testing

@@ -3,15 +3,12 @@
 // A curvilinear grid, whose cells are computed, looks like its hexahedra.
 #include "CurvilinearGrids.h"
 #include "CutScene.h"
-#include "Mesh/CurvilinearMesh.h"
 #include "ScenePage.h"
+#include "StoredCells.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCellData.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
-#include "vtkPointData.h"
-#include "vtkStructuredGrid.h"
 #include "vtkTetMarchFrameStatistics.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -23,15 +20,6 @@ namespace
 using namespace tetmarch::testing;
 
 constexpr std::array<int, 3> Size{ { 9, 12, 7 } };
-
-// The same with stored cells.
-Grid withStoredCells(vtkStructuredGrid* grid)
-{
-  const Grid hexahedra = tetmarch::hexahedraOf(grid);
-  hexahedra->GetPointData()->ShallowCopy(grid->GetPointData());
-  hexahedra->GetCellData()->ShallowCopy(grid->GetCellData());
-  return hexahedra;
-}
 
 struct Case
 {

@@ -3,10 +3,7 @@
 // The same picture as vtkProjectedTetrahedraMapper within that mapper's own error, so that whoever
 // swaps mappers isn't surprised. The ground truth is brute force in world coordinates, which has
 // nothing in common with either.
-#include "Scene.h"
-#include "Unprojection.h"
-
-#include "GroundTruth.h"
+#include "GroundTruthPicture.h"
 
 #include "vtkAutoInit.h"
 #include "vtkMatrix4x4.h"
@@ -37,34 +34,6 @@ Grid inWorld(Scene& scene)
     world->GetPoints()->SetPoint(i, p);
   }
   return world;
-}
-
-Image byGroundTruth(Scene& scene, ScalarsOf scalars)
-{
-  OpticalModel model;
-  model.Colour = scene.property()->GetRGBTransferFunction();
-  model.Opacity = scene.property()->GetScalarOpacity();
-  model.UnitDistance = scene.property()->GetScalarOpacityUnitDistance();
-  const GroundTruthScene groundTruth(inWorld(scene), model, scalars);
-  const Unprojection unproject(scene.camera());
-  Image image(Side, Side);
-  for (int y = 0; y < Side; ++y)
-  {
-    for (int x = 0; x < Side; ++x)
-    {
-      const double sx = (x + 0.5) / Side * 2.0 - 1.0;
-      const double sy = (y + 0.5) / Side * 2.0 - 1.0;
-      const Vec3 from = unproject(sx, sy, -1.0);
-      const Vec3 to = unproject(sx, sy, 1.0);
-      const auto rgba =
-        groundTruth.integrate(from, { to[0] - from[0], to[1] - from[1], to[2] - from[2] });
-      for (int k = 0; k < 4; ++k)
-      {
-        image.pixel(x, y)[k] = static_cast<float>(rgba[k]);
-      }
-    }
-  }
-  return image;
 }
 
 // The scene as vtkProjectedTetrahedraMapper draws it, in the same window.
@@ -110,7 +79,8 @@ double rms(const Image& a, const Image& b, const Mask& mask)
 void expectSamePicture(Scene& scene, double rivalRms)
 {
   const bool ofCells = scene.Mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_CELL_DATA;
-  const Image truth = byGroundTruth(scene, ofCells ? ScalarsOf::Cells : ScalarsOf::Points);
+  const Image truth =
+    groundTruthPicture(scene, inWorld(scene), ofCells ? ScalarsOf::Cells : ScalarsOf::Points, Side);
   const Image ours = scene.render();
   const Image frame = scene.frame();
   const Image rival = byRival(scene);
