@@ -18,6 +18,7 @@ namespace
 {
 using namespace tetmarch::testing;
 using tetmarch::LightAt;
+using Settings = vtkTetMarchSettings;
 
 void shine(Scene& scene, double x, double y, double z, bool positional = false)
 {
@@ -34,36 +35,53 @@ void shine(Scene& scene, double x, double y, double z, bool positional = false)
   scene.property()->SetSpecular(0.3);
 }
 
-Difference errorOf(Scene& scene, const char* what)
+// Light that is evaluated at every point, which takes most of the time of these tests: it is
+// computed once, whatever ways to draw the scene are compared with it.
+class ExactLight
 {
-  const Image drawn = scene.render();
-  const Image exact = referenceOf(scene, {}, Precision::Double, LightAt::Points).Picture;
-  const Mask inside = regionsOf(scene).Inside;
-  const Difference difference = compare(drawn, exact, inside);
-  std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
-  return difference;
-}
-
-// The errors that are promised of light kept at vertices and of light sampled along rays.
-void expectSmallErrors(Scene& scene)
-{
-  scene.Mapper->SetShadowMethodToAtVertices();
-  EXPECT_LE(errorOf(scene, "at vertices").Rms, 4.0 / 255.0);
-  scene.Mapper->SetShadowMethodToAlongRays();
-  EXPECT_LE(errorOf(scene, "along rays").Rms, 1.5 / 255.0);
-}
-
-// Pixels keep the tolerance of light, beside that of the integral, which is small.
-void expectToleranceKept(Scene& scene)
-{
-  scene.Mapper->SetAccuracyLevelToAccurate();
-  scene.Mapper->SetShadowMethodToAutomatic();
-  for (const double tolerance : { 8.0 / 255.0, 2.0 / 255.0 })
+public:
+  explicit ExactLight(Scene& scene, int shadows = Settings::SHADOWS_AT_VERTICES)
+    : Of(scene)
   {
-    scene.Mapper->SetLightTolerance(tolerance);
-    EXPECT_LE(errorOf(scene, "within a tolerance").Percentile999, tolerance);
+    scene.Mapper->SetAccuracyLevelToAccurate();
+    scene.Mapper->SetShadowMethod(shadows);
+    scene.render();
+    this->Exact = referenceOf(scene, {}, Precision::Double, LightAt::Points).Picture;
+    this->Inside = regionsOf(scene).Inside;
   }
-}
+
+  Difference errorOfShadows(int method, const char* what) const
+  {
+    this->Of.Mapper->SetShadowMethod(method);
+    const Difference difference = compare(this->Of.render(), this->Exact, this->Inside);
+    std::cout << "[ MEASURED ] " << what << ": " << difference.text() << '\n';
+    return difference;
+  }
+
+  // The errors that are promised of light kept at vertices and of light sampled along rays.
+  void expectSmallErrors() const
+  {
+    EXPECT_LE(this->errorOfShadows(Settings::SHADOWS_AT_VERTICES, "at vertices").Rms, 4.0 / 255.0);
+    EXPECT_LE(this->errorOfShadows(Settings::SHADOWS_ALONG_RAYS, "along rays").Rms, 1.5 / 255.0);
+  }
+
+  // Pixels keep the tolerance of light, beside that of the integral, which is small.
+  void expectToleranceKept() const
+  {
+    for (const double tolerance : { 8.0 / 255.0, 2.0 / 255.0 })
+    {
+      this->Of.Mapper->SetLightTolerance(tolerance);
+      EXPECT_LE(
+        this->errorOfShadows(Settings::SHADOWS_AUTOMATIC, "within a tolerance").Percentile999,
+        tolerance);
+    }
+  }
+
+private:
+  Scene& Of;
+  Image Exact;
+  Mask Inside;
+};
 
 TEST(LightError, GolfBall)
 {
@@ -78,16 +96,18 @@ TEST(LightError, GolfBall)
   scene.camera()->SetViewUp(0.0, 1.0, 0.0);
   scene.Renderer->ResetCameraClippingRange();
   shine(scene, 3.0, 6.0, 4.0);
-  expectSmallErrors(scene);
-  expectToleranceKept(scene);
+  const ExactLight exact(scene);
+  exact.expectSmallErrors();
+  exact.expectToleranceKept();
 }
 
 TEST(LightError, Lattice)
 {
   Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
   shine(scene, 3.0, 4.0, 1.5);
-  expectSmallErrors(scene);
-  expectToleranceKept(scene);
+  const ExactLight exact(scene);
+  exact.expectSmallErrors();
+  exact.expectToleranceKept();
 }
 
 // Cells of an optical depth of 2, in which light fades faster than a line between vertices or
@@ -129,16 +149,18 @@ TEST(LightError, PointLightInside)
 {
   Scene scene(jitteredLattice(16, 0.15, 1, sineField()), 96, 96);
   shine(scene, 0.45, 0.6, 0.5, true);
-  expectSmallErrors(scene);
-  expectToleranceKept(scene);
+  const ExactLight exact(scene);
+  exact.expectSmallErrors();
+  exact.expectToleranceKept();
 }
 
 TEST(LightError, Tunnel)
 {
   Scene scene(latticeWithTunnel(12, 0.15, 1, sineField()), 96, 96);
   shine(scene, 3.0, 4.0, 1.5);
-  expectSmallErrors(scene);
-  expectToleranceKept(scene);
+  const ExactLight exact(scene);
+  exact.expectSmallErrors();
+  exact.expectToleranceKept();
 }
 
 // The shadow of a wire that is narrower than a cell of the wall, and falls through fog.
@@ -154,7 +176,7 @@ TEST(LightError, WireOverAWallInFog)
   scene.property()->SetScalarOpacityUnitDistance(0.02);
   scene.Mapper->SetVolumetricScatteringBlending(1.0f);
   shine(scene, 0.9, 0.7, 2.0);
-  expectToleranceKept(scene);
+  ExactLight(scene).expectToleranceKept();
 }
 
 TEST(LightError, Occlusion)
@@ -164,6 +186,7 @@ TEST(LightError, Occlusion)
   scene.property()->SetAmbient(0.8);
   scene.Mapper->AmbientOcclusionOn();
   scene.Mapper->SetAmbientOcclusionRadius(0.2);
-  EXPECT_LE(errorOf(scene, "occlusion").Rms, 4.0 / 255.0);
+  const ExactLight exact(scene, Settings::SHADOWS_OFF);
+  EXPECT_LE(exact.errorOfShadows(Settings::SHADOWS_OFF, "occlusion").Rms, 4.0 / 255.0);
 }
 } // namespace
