@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/BoundaryEdges.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -22,8 +24,9 @@ std::vector<BoundaryEdge> sortedBoundaryEdges(const TetMesh& mesh)
         { std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), f, face[(i + 2) % 3], a < b });
     }
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const BoundaryEdge& a, const BoundaryEdge& b) { return a.Key < b.Key; });
+  vtkSMPTools::Sort(edges.begin(), edges.end(),
+    [](const BoundaryEdge& a, const BoundaryEdge& b)
+    { return a.Key != b.Key ? a.Key < b.Key : a.Face < b.Face; });
   return edges;
 }
 

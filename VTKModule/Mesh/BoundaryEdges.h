@@ -20,7 +20,7 @@ struct BoundaryEdge
   bool Forward; // the face traverses it from the smaller vertex to the larger
 };
 
-/** All edges of all boundary faces, sorted by key. */
+/** All edges of all boundary faces, sorted by key and face. */
 std::vector<BoundaryEdge> sortedBoundaryEdges(const TetMesh& mesh);
 
 /** The relation of edges[i] and edges[i + 1]. */

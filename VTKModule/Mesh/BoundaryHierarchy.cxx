@@ -3,6 +3,7 @@
 #include "Mesh/BoundaryHierarchy.h"
 
 #include "Mesh/HullFaces.h"
+#include "Parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace
 
 constexpr int MostFacesOfLeaf = 4;
 constexpr int Bins = 16;
+constexpr std::size_t MostFacesOfSubtree = 8192; // built by one thread
 static_assert(MostHierarchyFaces <= MostFacesOfLeaf << (MostHierarchyDepth / 2 - 1),
   "medians reach leaves in half of the depth");
 
@@ -76,9 +78,9 @@ public:
       this->Order.begin(), this->Order.end(), [&first](Id f) { return first[f]; });
     const std::size_t count = middle - this->Order.begin();
     this->Mesh.Hierarchy.clear();
-    this->split(0, count, 1);
+    this->addTree({ 0, count, 1 });
     const std::size_t nodes = this->Mesh.Hierarchy.size();
-    this->split(count, this->Order.size(), 1);
+    this->addTree({ count, this->Order.size(), 1 });
     std::vector<std::array<Id, 4>> faces(this->Order.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
@@ -89,20 +91,97 @@ public:
   }
 
 private:
+  // Faces of a node, by their places in the order; the depth of a root is 1.
+  struct Range
+  {
+    std::size_t First, Last;
+    int Depth;
+  };
+  using Nodes = std::vector<HierarchyNode>;
+  // A subtree, or a node above subtrees, which has the next two parts and their parts as children.
+  struct Part
+  {
+    Range Faces;
+    Nodes Built;
+    bool IsSubtree;
+  };
+
   float center(Id face, int axis) const
   {
     return 0.5f * (this->Boxes[face].Low[axis] + this->Boxes[face].High[axis]);
   }
 
-  // Write the node of a range of faces and its subtree. A cut that leaves more than 7/8 of the
-  // faces on one side is replaced by the median, and so is each cut from half of the maximum depth
-  // on: 24 levels of halves suffice for the maximum number of faces.
-  void split(std::size_t first, std::size_t last, int depth)
+  void addTree(const Range& range)
   {
-    if (first == last)
+    std::vector<Part> parts;
+    this->plan(range, parts);
+    parallelFor(0, static_cast<vtkIdType>(parts.size()), 1,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          if (parts[i].IsSubtree)
+          {
+            this->split(parts[i].Faces, parts[i].Built);
+          }
+        }
+      });
+    this->append(parts, 0);
+  }
+
+  void plan(const Range& range, std::vector<Part>& parts)
+  {
+    Part part{ range, {}, range.Last - range.First <= MostFacesOfSubtree };
+    const std::size_t middle = part.IsSubtree ? 0 : this->divide(range, part.Built);
+    parts.push_back(std::move(part));
+    if (middle > 0)
+    {
+      this->plan({ range.First, middle, range.Depth + 1 }, parts);
+      this->plan({ middle, range.Last, range.Depth + 1 }, parts);
+    }
+  }
+
+  // Append a part and its children to the tree. Returns the number of the part behind them.
+  std::size_t append(const std::vector<Part>& parts, std::size_t number)
+  {
+    Nodes& all = this->Mesh.Hierarchy;
+    const Part& part = parts[number++];
+    const std::size_t node = all.size();
+    all.insert(all.end(), part.Built.begin(), part.Built.end());
+    if (part.IsSubtree)
+    {
+      std::for_each(all.begin() + node, all.end(),
+        [node](HierarchyNode& n) { n.Second += n.FirstFace < 0 ? static_cast<float>(node) : 0; });
+      return number;
+    }
+    number = this->append(parts, number);
+    all[node].Second = static_cast<float>(all.size());
+    return this->append(parts, number);
+  }
+
+  // Write the node of a range of faces and its subtree.
+  void split(const Range& range, Nodes& nodes)
+  {
+    if (range.First == range.Last)
     {
       return;
     }
+    const std::size_t node = nodes.size();
+    if (const std::size_t middle = this->divide(range, nodes))
+    {
+      this->split({ range.First, middle, range.Depth + 1 }, nodes);
+      nodes[node].Second = static_cast<float>(nodes.size());
+      this->split({ middle, range.Last, range.Depth + 1 }, nodes);
+    }
+  }
+
+  // Write the node of a range of faces. Returns where its second child begins, 0 for a leaf. A cut
+  // that leaves more than 7/8 of the faces on one side is replaced by the median, and so is each
+  // cut from half of the maximum depth on: 24 levels of halves suffice for the maximum number of
+  // faces.
+  std::size_t divide(const Range& range, Nodes& nodes)
+  {
+    const auto [first, last, depth] = range;
     Box box, centers;
     for (std::size_t i = first; i < last; ++i)
     {
@@ -110,35 +189,40 @@ private:
       box.add(this->Boxes[f]);
       centers.add({ { this->center(f, 0), this->center(f, 1), this->center(f, 2) } });
     }
-    const std::size_t node = this->Mesh.Hierarchy.size();
-    this->Mesh.Hierarchy.push_back(makeNode(box));
+    HierarchyNode node = makeNode(box);
     const std::size_t count = last - first;
+    std::size_t middle = 0;
     if (count <= MostFacesOfLeaf)
     {
-      this->Mesh.Hierarchy[node].FirstFace = static_cast<float>(first);
-      this->Mesh.Hierarchy[node].Second = static_cast<float>(count);
-      return;
+      node.FirstFace = static_cast<float>(first);
+      node.Second = static_cast<float>(count);
     }
-    int axis = 0;
-    for (int k = 1; k < 3; ++k)
+    else
     {
-      axis = centers.High[k] - centers.Low[k] > centers.High[axis] - centers.Low[axis] ? k : axis;
+      int axis = 0;
+      for (int k = 1; k < 3; ++k)
+      {
+        axis = centers.High[k] - centers.Low[k] > centers.High[axis] - centers.Low[axis] ? k : axis;
+      }
+      node.FirstFace = static_cast<float>(-1 - axis);
+      middle = this->cut(first, last, axis, centers.Low[axis], centers.High[axis]);
+      if (std::min(middle - first, last - middle) < count / 8 + 1 || depth > MostHierarchyDepth / 2)
+      {
+        middle = first + count / 2;
+        this->placeMedian(first, middle, last, axis);
+      }
     }
-    std::size_t middle = this->cut(first, last, axis, centers.Low[axis], centers.High[axis]);
-    if (std::min(middle - first, last - middle) < count / 8 + 1 || depth > MostHierarchyDepth / 2)
-    {
-      middle = first + count / 2;
-      std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
-        this->Order.begin() + last,
-        [this, axis](Id a, Id b) {
-          return std::make_pair(this->center(a, axis), a) <
-                 std::make_pair(this->center(b, axis), b);
-        });
-    }
-    this->Mesh.Hierarchy[node].FirstFace = static_cast<float>(-1 - axis);
-    this->split(first, middle, depth + 1);
-    this->Mesh.Hierarchy[node].Second = static_cast<float>(this->Mesh.Hierarchy.size());
-    this->split(middle, last, depth + 1);
+    nodes.push_back(node);
+    return middle;
+  }
+
+  void placeMedian(std::size_t first, std::size_t middle, std::size_t last, int axis)
+  {
+    std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
+      this->Order.begin() + last,
+      [this, axis](Id a, Id b) {
+        return std::make_pair(this->center(a, axis), a) < std::make_pair(this->center(b, axis), b);
+      });
   }
 
   // Partition at the bin border with the minimum expected cost.

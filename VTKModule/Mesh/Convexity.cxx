@@ -60,10 +60,34 @@ bool isNeedle(const TetMesh& mesh, const std::array<Id, 4>& face)
   return !(area > std::ldexp(longest, -36) && area > std::ldexp(longest * longest, -12));
 }
 
+// Whether a vertex of the boundary is clearly beyond some of its faces, of which few are tried:
+// what most meshes that aren't convex show at once.
+bool isClearlyConcave(const TetMesh& mesh)
+{
+  const auto& faces = mesh.BoundaryFaces;
+  const double clearly = std::ldexp(1.0, -12);
+  const std::size_t step = faces.size() / 16 + 1;
+  for (std::size_t f = 0; f < faces.size(); f += step)
+  {
+    const FacePlane plane(mesh, static_cast<Id>(f));
+    if (std::any_of(faces.begin(), faces.end(),
+          [&](const std::array<Id, 4>& face)
+          { return plane.heightOf(mesh.Vertices[face[0]]) > clearly; }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 bool isConvex(const TetMesh& mesh)
 {
+  if (isClearlyConcave(mesh))
+  {
+    return false;
+  }
   if (std::any_of(mesh.BoundaryFaces.begin(), mesh.BoundaryFaces.end(),
         [&](const std::array<Id, 4>& face) { return isNeedle(mesh, face); }))
   {

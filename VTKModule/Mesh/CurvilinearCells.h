@@ -59,6 +59,11 @@ public:
   {
     return std::size_t(this->Cells[0] + 1) * (this->Cells[1] + 1) * (this->Cells[2] + 1);
   }
+  /** From a point to the next one along each axis. */
+  std::array<Id, 3> pointStrides() const
+  {
+    return { { 1, this->Cells[0] + 1, (this->Cells[0] + 1) * (this->Cells[1] + 1) } };
+  }
   Id numberOfBoundaryFaces() const { return this->FirstFaces[6]; }
   /** The number of the first triangle of each side: below and above along i, j and k. */
   const std::array<Id, 7>& firstFaces() const { return this->FirstFaces; }
@@ -156,10 +161,6 @@ private:
       { { first, second, 3 - first - second } }, turn };
   }
 
-  std::array<Id, 3> pointStrides() const
-  {
-    return { { 1, this->Cells[0] + 1, (this->Cells[0] + 1) * (this->Cells[1] + 1) } };
-  }
   Id cellStride(int axis) const
   {
     return axis == 0 ? 1 : (axis == 1 ? this->Cells[0] : this->Cells[0] * this->Cells[1]);

@@ -4,20 +4,20 @@
 
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/Convexity.h"
+#include "Mesh/CurvilinearHand.h"
 #include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/SharedVertices.h"
 #include "Mesh/VertexPlaces.h"
-#include "Parallel/ParallelFor.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <tuple>
 
 namespace tetmarch
@@ -28,26 +28,6 @@ namespace
 // The sign of the volume of the tetrahedron in a grid whose axes are right-handed, or its opposite
 // in others.
 int orderSign(std::size_t tet) { return tet % 2 == 0 ? 1 : -1; }
-
-// 1 or -1 if the axes of all hexahedra are right-handed or left-handed; 0 if that isn't certain of
-// each tetrahedron. unfinished: progress asked to stop.
-int handOf(const TetMesh& mesh, const Progress& progress, bool& unfinished)
-{
-  const int hand = volumeSign(mesh, 0) * orderSign(0);
-  std::atomic<bool> agree(hand != 0);
-  unfinished = !parallelFor(static_cast<vtkIdType>(mesh.Tets.size()), progress,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType t = first; t < last && agree; ++t)
-      {
-        if (volumeSign(mesh, static_cast<Id>(t)) != hand * orderSign(t))
-        {
-          agree = false;
-        }
-      }
-    });
-  return agree ? hand : 0;
-}
 
 // The triangles of the six sides, in the order of their numbers.
 void findBoundary(int hand, TetMesh& mesh)
@@ -66,7 +46,8 @@ bool hasCoincidentVertices(const TetMesh& mesh)
   std::vector<Id> vertices = boundaryVertices(mesh);
   const auto place = [&mesh](Id v)
   { return std::tie(mesh.Vertices[v].X, mesh.Vertices[v].Y, mesh.Vertices[v].Z); };
-  std::sort(vertices.begin(), vertices.end(), [&place](Id a, Id b) { return place(a) < place(b); });
+  vtkSMPTools::Sort(
+    vertices.begin(), vertices.end(), [&place](Id a, Id b) { return place(a) < place(b); });
   return std::adjacent_find(vertices.begin(), vertices.end(),
            [&place](Id a, Id b) { return place(a) == place(b); }) != vertices.end();
 }

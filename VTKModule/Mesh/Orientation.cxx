@@ -11,9 +11,7 @@ namespace tetmarch
 namespace
 {
 
-// Six times the volume of a tetrahedron, its vertices taken by ascending id, and its maximum change
-// by the rounding of positions. Rounding of the sums is negligible: differences and products of
-// floats are exact in double.
+// Six times the volume of a tetrahedron, its vertices taken by ascending id, and its rounding.
 struct Volume
 {
   double Value;
@@ -40,7 +38,7 @@ Volume volumeOf(const TetMesh& mesh, Id tet)
     sum += (left - right) * e[2][k];
     longest = std::max(longest, e[k][0] * e[k][0] + e[k][1] * e[k][1] + e[k][2] * e[k][2]);
   }
-  return { sum, longest * 0x1p-22 };
+  return { sum, volumeRounding(longest) };
 }
 
 } // namespace

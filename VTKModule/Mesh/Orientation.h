@@ -15,6 +15,11 @@ namespace tetmarch
  */
 double signedVolume(const TetMesh& mesh, Id tet);
 
+/** The greatest change of six times a volume by the rounding of positions, from the square of the
+ * longest edge at the vertex with the lowest id. Rounding of the sums is negligible: differences
+ * and products of floats are exact in double. */
+inline double volumeRounding(double square) { return square * 0x1p-22; }
+
 /** Its sign; 0 if the tetrahedron is flat to within the rounding of positions. */
 int volumeSign(const TetMesh& mesh, Id tet);
 
