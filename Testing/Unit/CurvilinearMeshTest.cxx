@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The computed cells of a curvilinear grid are those of its hexahedra, with their links.
 #include "Mesh/CurvilinearMesh.h"
+#include "Geometry/Vector3.h"
 #include "Mesh/MeshSizes.h"
 #include "Mesh/Orientation.h"
 
@@ -12,7 +13,9 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <numeric>
+#include <random>
 #include <set>
 
 namespace
@@ -100,6 +103,45 @@ TEST(CurvilinearMesh, IsThatOfItsHexahedra)
       expectConventions(mesh); // which shares nothing with it that is changed
     }
   }
+}
+
+// Hexahedra at random: cells are computed if none of the six tetrahedra is turned inside out.
+TEST(CurvilinearMesh, LooksAtEachTetrahedron)
+{
+  std::mt19937 random(1);
+  const auto moved = [&](double x) { return x + 1.2 * (double(random()) / 4294967296.0 - 0.5); };
+  std::array<int, 6> turnedAlone{};
+  int computedGrids = 0;
+  for (int round = 0; round < 2000; ++round)
+  {
+    const auto grid = curvilinearGrid({ 1, 1, 1 },
+      [&](const Vec3& p) {
+        return Vec3{ moved(p[0]), moved(p[1]), moved(p[2]) };
+      });
+    int positive = 0; // flags of tetrahedra
+    for (int tet = 0; tet < 6; ++tet)
+    {
+      const int a = tet / 2, b = (a + 1 + tet % 2) % 3;
+      Vector3 corners[4];
+      const int path[4] = { 0, 1 << a, 1 << a | 1 << b, 7 };
+      for (int i = 0; i < 4; ++i)
+      {
+        grid->GetPoint(path[i], corners[i].data());
+      }
+      const double volume =
+        dot(cross(corners[1] - corners[0], corners[2] - corners[0]), corners[3] - corners[0]);
+      positive |= (tet % 2 == 0 ? volume : -volume) > 0 ? 1 << tet : 0;
+    }
+    const bool alike = positive == 0 || positive == 63;
+    EXPECT_EQ(computed(grid).Tets.empty(), !alike) << round;
+    computedGrids += alike ? 1 : 0;
+    for (int tet = 0; tet < 6; ++tet)
+    {
+      turnedAlone[tet] += positive == (63 & ~(1 << tet)) || positive == 1 << tet ? 1 : 0;
+    }
+  }
+  EXPECT_GT(computedGrids, 50);
+  EXPECT_GT(*std::min_element(turnedAlone.begin(), turnedAlone.end()), 5);
 }
 
 // At most 24 bytes a hexahedron on the GPU (16 of its point), cells with scalars included.
