@@ -112,6 +112,14 @@ TEST(BoundaryHierarchy, ManyFacesInOnePlace)
   checkTrees(mesh);
 }
 
+// Several of its subtrees are built in threads.
+TEST(BoundaryHierarchy, ManyFaces)
+{
+  const TetMesh mesh = builtApart(withRepeatedPoints(jitteredLattice(12)));
+  EXPECT_EQ(mesh.BoundaryFaces.size(), 4u * 6 * 12 * 12 * 12);
+  checkTrees(mesh);
+}
+
 using Entries = std::vector<std::pair<double, int>>;
 
 template <typename Kernel>

@@ -181,7 +181,7 @@ TEST(LightError, WireOverAWallInFog)
 
 TEST(LightError, Occlusion)
 {
-  Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 96, 96);
+  Scene scene(jitteredLattice(12, 0.15, 1, sineField()), 48, 48);
   shine(scene, 3.0, 4.0, 1.5);
   scene.property()->SetAmbient(0.8);
   scene.Mapper->AmbientOcclusionOn();
