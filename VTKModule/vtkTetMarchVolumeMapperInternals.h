@@ -32,10 +32,8 @@ public:
   /** The options of the mesh of this input without other processes: those of the last common
    * frame. */
   tetmarch::PieceOptions pieceAlone(vtkDataObject* input) const;
-  const tetmarch::CellOrigins& origins() const
-  {
-    return this->isShared() ? this->Own.origins() : this->Blocks.origins();
-  }
+  /** Of the cells of drawnOf(). */
+  const tetmarch::CellOrigins& origins() const { return this->Own.origins(); }
   /** nullptr before they are known. */
   double* wholeBounds();
   bool hasBlocks() { return this->Blocks.grid() != nullptr; }
@@ -45,7 +43,7 @@ public:
   tetmarch::TetTextures Textures{ Tets };
   tetmarch::Pipeline Pipeline{ Tets, Textures };
   tetmarch::JoinedBlocks Blocks; // of composite input
-  tetmarch::OwnCells Own;        // of a piece of the volume
+  tetmarch::OwnCells Own;        // without ghosts
   tetmarch::GroupState Distributed;
   std::array<double, 6> WholeBounds{};
   vtkNew<vtkUnstructuredGrid> NoCells;

@@ -31,8 +31,10 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
   {
     tetmarch::ResourceLimits limits; // what the GL can hold is checked by the frame
     limits.Bytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
-    error = internal.Tets.updateGeometry(
-      { grid, internal.pieceAlone(this->GetDataObjectInput()) }, limits, progress);
+    tetmarch::DrawnData drawn;
+    error = tetmarch::withinMemory(
+      "the cells of this process", [&] { drawn = internal.drawnOf(this, grid); });
+    error = error.empty() ? internal.Tets.updateGeometry(drawn.Volume, limits, progress) : error;
   }
   return this->Report(error) && grid && !internal.Tets.isEmpty();
 }

@@ -28,12 +28,15 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
                 : tetmarch::findScalars(grid, tetmarch::selectionOf(mapper));
   }
   vtkDataSet* data = grid ? grid : this->NoCells.Get();
-  if (grid && this->isShared())
+  if (auto* stored = vtkUnstructuredGrid::SafeDownCast(grid))
   {
-    this->Own.update(vtkUnstructuredGrid::SafeDownCast(grid), scalars.Array, scalars.OfCells,
-      this->Blocks.origins());
+    this->Own.update(stored, scalars.Array, scalars.OfCells, this->Blocks.origins());
     data = this->Own.grid();
     scalars.Array = this->Own.scalars();
+  }
+  else
+  {
+    this->Own = {};
   }
   return { { data, this->pieceAlone(mapper->GetDataObjectInput()) }, scalars,
     tetmarch::vectorOptionsOf(mapper), tetmarch::blendOptionsOf(mapper),

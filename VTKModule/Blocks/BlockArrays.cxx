@@ -55,15 +55,6 @@ void rename(vtkIdList* ids, const BlockPoints& points)
   }
 }
 
-// Whether a cell gives way to one of another block: a finer one, or that of which it is a ghost.
-bool isLeftOut(
-  const SharedBlocks& blocks, std::size_t block, vtkUnsignedCharArray* ghosts, vtkIdType cell)
-{
-  return (!blocks.Refined.empty() && blocks.Refined[block][static_cast<std::size_t>(cell)]) ||
-         (ghosts && cell < ghosts->GetNumberOfTuples() &&
-           (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0);
-}
-
 // The stream contains the number of faces, then for each its number of points and the points.
 void renameStream(vtkIdList* stream, const BlockPoints& points)
 {
@@ -135,11 +126,11 @@ void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid)
   for (std::size_t b = 0; b < blocks.Data.size(); ++b)
   {
     vtkDataSet* block = blocks.Data[b];
-    vtkUnsignedCharArray* ghosts = ghostsOf(block->GetCellData());
     for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
     {
-      const int type =
-        isLeftOut(blocks, b, ghosts, cell) ? VTK_EMPTY_CELL : block->GetCellType(cell);
+      const bool refined =
+        !blocks.Refined.empty() && blocks.Refined[b][static_cast<std::size_t>(cell)];
+      const int type = refined ? VTK_EMPTY_CELL : block->GetCellType(cell);
       block->GetCellPoints(cell, ids);
       rename(ids, blocks.Points[b]);
       if (type == VTK_POLYHEDRON)

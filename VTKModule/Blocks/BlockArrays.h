@@ -33,8 +33,7 @@ struct SharedBlocks
  */
 vtkSmartPointer<vtkPoints> joinPoints(const SharedBlocks& blocks);
 /** Add the cells of all blocks to the empty grid, in the order of the blocks, polyhedra with their
- * faces, refined ones and those that vtkGhostType marks as duplicates as VTK_EMPTY_CELL: they would
- * displace the equal cell of a later block. The cells must be valid (checkGrid). */
+ * faces, refined ones as VTK_EMPTY_CELL. The cells must be valid (checkGrid). */
 void joinCells(const SharedBlocks& blocks, vtkUnstructuredGrid* grid);
 
 /** Join one array of each block; all have the same number of components. The result has their

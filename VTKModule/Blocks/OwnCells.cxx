@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/OwnCells.h"
 
+#include "Input/DataCheck.h"
+#include "Scalars/DrawnScalars.h"
 #include "Scalars/GhostArrays.h"
 
 #include "vtkCellData.h"
@@ -56,7 +58,9 @@ void OwnCells::update(
   vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells, const CellOrigins& origins)
 {
   const GhostArrays ghosts = ghostArraysOf(grid);
-  if (!hasAny(ghosts.OfCells, vtkDataSetAttributes::DUPLICATECELL))
+  const auto isValid = [&]
+  { return checkData(grid).empty() && (!scalars || checkScalars(grid, scalars, ofCells).empty()); };
+  if (!hasAny(ghosts.OfCells, vtkDataSetAttributes::DUPLICATECELL) || !isValid())
   {
     this->MadeFrom.clear();
     this->Grid = grid;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a grid that this process draws, if several have pieces of a volume.
+// The cells of a grid that aren't ghosts.
 #ifndef TetMarchBlocksOwnCells_h
 #define TetMarchBlocksOwnCells_h
 
@@ -13,12 +13,13 @@
 namespace tetmarch
 {
 
-/** A grid without the cells that vtkGhostType marks as duplicates, since another process draws
- * them. */
+/** A grid without the cells that vtkGhostType marks as duplicates: another process draws them, or
+ * the grid has them again. Of equal cells the mesh keeps the first, which may be the ghost. */
 class OwnCells
 {
 public:
-  /** scalars: of the cells or points of the grid; may be nullptr. */
+  /** scalars: of the cells or points of the grid; may be nullptr. Invalid data (checkData,
+   * checkScalars) stay as they are. */
   void update(
     vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells, const CellOrigins& origins);
 
