@@ -3,6 +3,7 @@
 // Methods that run on the CPU: preparation of the mesh, and repetition of the last frame.
 #include "vtkTetMarchVolumeMapperInternals.h"
 
+#include "Caching/WithinMemory.h"
 #include "Mapper/AlgorithmProgress.h"
 #include "Mapper/GroundTruthPicture.h"
 #include "Mapper/TraceTable.h"
