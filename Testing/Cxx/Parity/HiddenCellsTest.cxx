@@ -131,7 +131,9 @@ TEST(HiddenCells, OfAnyKindOfGhost)
   for (const int type : { 1, 8, 32, 1 | 16, 8 | 2 })
   {
     hide(scene.Data, Crumbs, type);
-    EXPECT_EQ(compare(scene.render(), hidden).Max, 0.0) << type;
+    // Duplicates are no part of the mesh, whose rays are rounded otherwise then.
+    const double rounding = type & Ghosts::DUPLICATECELL ? 1e-6 : 0.0;
+    EXPECT_LE(compare(scene.render(), hidden).Max, rounding) << type;
   }
   hide(scene.Data, Crumbs, others);
   EXPECT_EQ(compare(scene.render(), all).Max, 0.0);
