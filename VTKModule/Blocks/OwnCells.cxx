@@ -57,25 +57,26 @@ vtkSmartPointer<vtkUnstructuredGrid> gridOf(
 void OwnCells::update(
   vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells, const CellOrigins& origins)
 {
-  const GhostArrays ghosts = ghostArraysOf(grid);
-  const auto isValid = [&]
-  { return checkData(grid).empty() && (!scalars || checkScalars(grid, scalars, ofCells).empty()); };
-  if (!hasAny(ghosts.OfCells, vtkDataSetAttributes::DUPLICATECELL) || !isValid())
-  {
-    this->MadeFrom.clear();
-    this->Grid = grid;
-    this->Scalars = scalars;
-    this->Origins = origins;
-    return;
-  }
   Fingerprint input;
   add(input, grid); // and its ghost arrays, whose changes are those of the grid
   add(input, scalars);
+  input.push_back(origins.of(0).Block); // the grid of a single block is its own
   if (input == this->MadeFrom)
   {
     return;
   }
   this->MadeFrom.clear();
+  this->Grid = grid;
+  this->Scalars = scalars;
+  this->Origins = origins;
+  const GhostArrays ghosts = ghostArraysOf(grid);
+  const auto isValid = [&]
+  { return checkData(grid).empty() && (!scalars || checkScalars(grid, scalars, ofCells).empty()); };
+  if (!hasAny(ghosts.OfCells, vtkDataSetAttributes::DUPLICATECELL) || !isValid())
+  {
+    this->MadeFrom = input;
+    return;
+  }
   std::vector<vtkIdType> cells;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
@@ -94,7 +95,6 @@ void OwnCells::update(
     this->Grid->GetPointData()->AddArray(ghosts.OfPoints);
   }
   this->Scalars = ofCells ? valuesOf(scalars, cells) : vtkSmartPointer<vtkDataArray>(scalars);
-  this->Origins = origins;
   this->Origins.renumber(std::move(cells));
   this->MadeFrom = input;
 }
