@@ -180,7 +180,7 @@ class GridHardCases : public testing::TestWithParam<Case>
 {
 };
 
-// Draws the scene; a ray beside a face may see another cell.
+// Draws the scene, which must show something.
 void expectTruth(Scene& scene, const Image& truth, const char* name)
 {
   const Image drawn = scene.render();
