@@ -34,7 +34,7 @@ struct LeafTrees
   Grid Leaves; ///< those that aren't masked: hexahedra with points of their own and the same "c"
 };
 
-/// So many roots along each axis.
+/// Trees with the same number of roots along each axis.
 LeafTrees leafTrees(
   int roots, const Field& field, const NodeTest& divides, const NodeTest& masks = {});
 } // namespace tetmarch::testing

@@ -60,8 +60,8 @@ bool isNeedle(const TetMesh& mesh, const std::array<Id, 4>& face)
   return !(area > std::ldexp(longest, -36) && area > std::ldexp(longest * longest, -12));
 }
 
-// Whether a vertex of the boundary is clearly beyond some of its faces, of which few are tried:
-// what most meshes that aren't convex show at once.
+// Whether a vertex of the boundary is clearly beyond one of 16 faces. That suffices for most meshes
+// that aren't convex.
 bool isClearlyConcave(const TetMesh& mesh)
 {
   const auto& faces = mesh.BoundaryFaces;
