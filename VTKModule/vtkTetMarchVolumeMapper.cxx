@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapperInternals.h"
 
-#include "Caching/WithinMemory.h"
 #include "Input/SolidCells.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/RecordStatistics.h"
@@ -95,10 +94,7 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkPointSet* grid, std::string f
 {
   Internals& internal = *this->Internal;
   const tetmarch::ScalarSelection selection = tetmarch::selectionOf(this);
-  tetmarch::DrawnData drawn;
-  const std::string shortage = tetmarch::withinMemory(
-    "the cells of this process", [&] { drawn = internal.drawnOf(this, grid); });
-  found = found.empty() ? shortage : found;
+  const tetmarch::DrawnData drawn = internal.drawnOf(this, grid, found);
   found = found.empty() && grid && !drawn.Scalars.Array
             ? tetmarch::describeMissingScalars(grid, selection)
             : found;

@@ -27,8 +27,10 @@ public:
   void recordStatistics();
   /** Whether other processes have pieces of the volume. */
   bool isShared() const { return this->Distributed.Processes.size() > 1; }
-  /** The drawn data of a grid, which may be nullptr. */
-  tetmarch::DrawnData drawnOf(vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid);
+  /** The drawn data of a grid, which may be nullptr. If memory is lacking and there is no error
+   * yet, this is the error. */
+  tetmarch::DrawnData drawnOf(
+    vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid, std::string& error);
   /** The options of the mesh of this input without other processes: those of the last common
    * frame. */
   tetmarch::PieceOptions pieceAlone(vtkDataObject* input) const;

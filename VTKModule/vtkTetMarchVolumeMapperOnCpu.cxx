@@ -3,7 +3,6 @@
 // Methods that run on the CPU: preparation of the mesh, and repetition of the last frame.
 #include "vtkTetMarchVolumeMapperInternals.h"
 
-#include "Caching/WithinMemory.h"
 #include "Mapper/AlgorithmProgress.h"
 #include "Mapper/GroundTruthPicture.h"
 #include "Mapper/TraceTable.h"
@@ -32,9 +31,7 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
   {
     tetmarch::ResourceLimits limits; // what the GL can hold is checked by the frame
     limits.Bytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
-    tetmarch::DrawnData drawn;
-    error = tetmarch::withinMemory(
-      "the cells of this process", [&] { drawn = internal.drawnOf(this, grid); });
+    const tetmarch::DrawnData drawn = internal.drawnOf(this, grid, error);
     error = error.empty() ? internal.Tets.updateGeometry(drawn.Volume, limits, progress) : error;
   }
   return this->Report(error) && grid && !internal.Tets.isEmpty();

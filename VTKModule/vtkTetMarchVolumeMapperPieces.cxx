@@ -3,6 +3,8 @@
 // The piece of a volume that this process draws, and the data shared by all processes.
 #include "vtkTetMarchVolumeMapperInternals.h"
 
+#include "Caching/WithinMemory.h"
+
 #include "vtkMultiProcessController.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
@@ -18,7 +20,7 @@ tetmarch::PieceOptions vtkTetMarchVolumeMapper::Internals::pieceAlone(vtkDataObj
 
 //------------------------------------------------------------------------------
 tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
-  vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid)
+  vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid, std::string& error)
 {
   tetmarch::FoundScalars scalars;
   if (grid)
@@ -30,7 +32,9 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
   vtkDataSet* data = grid ? grid : this->NoCells.Get();
   if (auto* stored = vtkUnstructuredGrid::SafeDownCast(grid))
   {
-    this->Own.update(stored, scalars.Array, scalars.OfCells, this->Blocks.origins());
+    const std::string shortage = tetmarch::withinMemory("the cells of this process",
+      [&] { this->Own.update(stored, scalars.Array, scalars.OfCells, this->Blocks.origins()); });
+    error = error.empty() ? shortage : error;
     data = this->Own.grid();
     scalars.Array = this->Own.scalars();
   }
