@@ -5,6 +5,7 @@
 #include "Curved/Tessellation.h"
 
 #include "FilledCube.h"
+#include "GridTransforms.h"
 #include "LagrangeGrids.h"
 #include "QuadraticGrids.h"
 
@@ -259,9 +260,14 @@ const auto Parabolas = ::testing::Values(
     [](double c) {
       return lagrangeLattice(VTK_LAGRANGE_HEXAHEDRON, 2, { { 2, 3, 4 } }, c, parabola);
     } },
-  CurvedCase{ "LagrangeWedges", [](double c) {
-               return lagrangeLattice(VTK_LAGRANGE_WEDGE, 2, { { 3, 3, 2 } }, c, parabola);
-             } });
+  CurvedCase{ "LagrangeWedges",
+    [](double c) {
+      return lagrangeLattice(VTK_LAGRANGE_WEDGE, 2, { { 3, 3, 2 } }, c, parabola);
+    } },
+  CurvedCase{ "TetrahedraWithPointsOfTheirOwn",
+    [](double c) { return withRepeatedPoints(quadraticTetLattice(2, c, parabola)); } },
+  CurvedCase{ "HexahedraWithPointsOfTheirOwn",
+    [](double c) { return withRepeatedPoints(triQuadraticHexLattice(2, c, parabola)); } });
 
 const auto nameOf = [](const ::testing::TestParamInfo<CurvedCase>& tested)
 { return tested.param.Name; };
@@ -270,7 +276,11 @@ INSTANTIATE_TEST_SUITE_P(Of, CurvedCells, Parabolas, nameOf);
 INSTANTIATE_TEST_SUITE_P(Of, CellsOfParabolas, Parabolas, nameOf);
 INSTANTIATE_TEST_SUITE_P(And, CurvedCells,
   ::testing::Values(
-    CurvedCase{ "Pyramids", [](double c) { return quadraticPyramidLattice(2, c, parabola); } }),
+    CurvedCase{ "Pyramids", [](double c) { return quadraticPyramidLattice(2, c, parabola); } },
+    CurvedCase{ "TetrahedraWithJumps",
+      [](double c) { return withJumps(quadraticTetLattice(2, c, parabola), 0.1); } },
+    CurvedCase{ "WedgesWithJumps",
+      [](double c) { return withJumps(quadraticWedgeLattice(2, c, parabola), 0.1); } }),
   nameOf);
 
 TEST(Tessellation, EndsWhereItIsToldTo)

@@ -49,18 +49,18 @@ std::uint8_t facesOf(const CurvedShape& shape, int corner)
   return static_cast<std::uint8_t>(faces);
 }
 
-std::vector<Piece> firstPieces(const CurvedShape& shape, const std::vector<vtkIdType>& ids)
+std::vector<Piece> firstPieces(const CurvedShape& shape, const std::vector<PiecePoint>& points)
 {
   std::vector<PieceCorner> corners;
   for (std::size_t i = 0; i < shape.Corners.size(); ++i)
   {
-    PieceCorner corner{ static_cast<std::uint32_t>(ids[i]), {},
-      facesOf(shape, static_cast<int>(i)) };
+    PieceCorner corner{ points[i], {}, facesOf(shape, static_cast<int>(i)) };
     std::copy(shape.Corners[i].begin(), shape.Corners[i].end(), corner.At.begin());
     corners.push_back(corner);
   }
-  const auto isBefore = [&ids](int a, int b) { return ids[a] < ids[b]; };
-  const int apex = static_cast<int>(std::min_element(ids.begin(), ids.end()) - ids.begin());
+  const auto isBefore = [&points](int a, int b) { return points[a] < points[b]; };
+  const int apex =
+    static_cast<int>(std::min_element(points.begin(), points.end()) - points.begin());
   std::vector<Piece> pieces;
   for (std::vector<int> face : shape.Faces)
   {
@@ -78,10 +78,9 @@ std::vector<Piece> firstPieces(const CurvedShape& shape, const std::vector<vtkId
   return pieces;
 }
 
-PieceCorner middleOf(const PieceCorner& a, const PieceCorner& b, vtkIdType id)
+PieceCorner middleOf(const PieceCorner& a, const PieceCorner& b, PiecePoint point)
 {
-  PieceCorner middle{ static_cast<std::uint32_t>(id), {},
-    static_cast<std::uint8_t>(a.Faces & b.Faces) };
+  PieceCorner middle{ point, {}, static_cast<std::uint8_t>(a.Faces & b.Faces) };
   for (int k = 0; k < 3; ++k)
   {
     middle.At[k] = 0.5F * (a.At[k] + b.At[k]);
@@ -95,7 +94,8 @@ int longestEdge(const Piece& piece, const CurvedShape& shape)
   {
     const PieceCorner& a = piece[PieceEdges[edge][0]];
     const PieceCorner& b = piece[PieceEdges[edge][1]];
-    return std::make_tuple(squaredLength(a, b, shape), std::min(a.Id, b.Id), std::max(a.Id, b.Id));
+    return std::make_tuple(
+      squaredLength(a, b, shape), std::min(a.Point, b.Point), std::max(a.Point, b.Point));
   };
   int longest = 0;
   for (int edge = 1; edge < 6; ++edge)

@@ -11,6 +11,7 @@
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace tetmarch
@@ -36,7 +37,7 @@ OutputPoints::OutputPoints(
 
 OutputPoints::~OutputPoints() = default;
 
-vtkIdType OutputPoints::copyOf(vtkIdType point)
+PiecePoint OutputPoints::copyOf(vtkIdType point)
 {
   vtkIdType& copy = this->Copies[static_cast<std::size_t>(point)];
   if (copy < 0)
@@ -50,12 +51,38 @@ vtkIdType OutputPoints::copyOf(vtkIdType point)
     }
     vtkNew<vtkIdList> one;
     one->InsertNextId(point);
-    copy = this->insert(place, one);
+    copy = this->insert(place, one).Id;
+    this->Places.back() = this->firstAt(place.Position);
   }
-  return copy;
+  return this->point(copy);
 }
 
-vtkIdType OutputPoints::insert(const CurvedPlace& place, vtkIdList* mixed)
+// The last point is at this position.
+std::uint32_t OutputPoints::firstAt(Vector3 position)
+{
+  const std::uint32_t last = this->Places.back();
+  for (double& x : position)
+  {
+    if (!std::isfinite(x))
+    {
+      return last;
+    }
+    x += 0.0; // -0 is 0
+  }
+  const std::uint32_t first = this->FirstOfCopies.try_emplace(position, last).first->second;
+  this->Shared = this->Shared || first != last;
+  return first;
+}
+
+PiecePoint OutputPoints::insertAt(std::uint32_t other, const CurvedPlace& place, vtkIdList* mixed)
+{
+  CurvedPlace moved = place;
+  moved.Position = this->position(other);
+  const std::uint32_t id = this->insert(moved, mixed).Id;
+  return { id, this->Places[id] = this->Places[other] };
+}
+
+PiecePoint OutputPoints::insert(const CurvedPlace& place, vtkIdList* mixed)
 {
   const vtkIdType id = this->Points->InsertNextPoint(place.Position.data());
   if (id >= MostPointsOrCells)
@@ -66,7 +93,8 @@ vtkIdType OutputPoints::insert(const CurvedPlace& place, vtkIdList* mixed)
   this->Output->GetPointData()->InterpolatePoint(
     this->Grid->GetPointData(), id, mixed, const_cast<double*>(place.Weights.data()));
   this->Values.insert(this->Values.end(), place.Values.begin(), place.Values.end());
-  return id;
+  this->Places.push_back(static_cast<std::uint32_t>(id));
+  return this->point(id);
 }
 
 Vector3 OutputPoints::position(vtkIdType point) const

@@ -3,6 +3,7 @@
 #include "Curved/Tessellation.h"
 
 #include "Curved/CellPieces.h"
+#include "Curved/CornerCells.h"
 #include "Curved/CurvedCell.h"
 #include "Curved/EdgeTable.h"
 #include "Curved/OutputPoints.h"
@@ -31,12 +32,15 @@ constexpr double TestedAt[] = { 0.25, 0.5, 0.75 };
 constexpr float ShortestTested = 1.0F / 64;
 // Of shape functions, in parts of the greatest value; scalars that are all alike differ by it.
 constexpr double RoundingOfValues = 1e-13;
+// Of the tolerance of distances: middles of edges of different cells that are as near are one.
+constexpr double SamePlace = 0.01;
 constexpr vtkIdType CellsBetweenProgress = 1000;
 
 struct CutCell
 {
   vtkIdType Id;
   const CurvedShape* Shape;
+  std::vector<PiecePoint> Corners;
   std::vector<Piece> Pieces;
   EdgeTable InnerEdges; // those in no face
   bool IsWaiting = true;
@@ -47,31 +51,33 @@ class Tessellator
 public:
   Tessellator(
     vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance, vtkUnstructuredGrid* output)
-    : Tolerance(tolerance)
+    : Grid(grid)
+    , Tolerance(tolerance)
     , Output(output)
     , Cell(grid, tolerance.Scalars)
     , Points(grid, tolerance.Scalars, output)
   {
-    this->Grid->ShallowCopy(grid); // links of points are built in it
   }
 
   /** Begins with a cell. */
   void add(vtkIdType cell, const CurvedShape& shape)
   {
-    this->Grid->GetCells()->GetCellAtId(cell, this->Common);
-    std::vector<vtkIdType> ids;
+    this->Grid->GetCells()->GetCellAtId(cell, this->Ids);
+    const auto index = static_cast<std::uint32_t>(this->Cells.size());
+    std::vector<PiecePoint> corners;
     for (std::size_t i = 0; i < shape.Corners.size(); ++i)
     {
-      ids.push_back(this->Points.copyOf(this->Common->GetId(static_cast<vtkIdType>(i))));
+      corners.push_back(this->Points.copyOf(this->Ids->GetId(static_cast<vtkIdType>(i))));
+      this->CellsOfCorners.add(corners.back().Place, index);
     }
-    this->Places.emplace(cell, this->Cells.size());
-    this->Waiting.push_back(this->Cells.size());
-    this->Cells.push_back({ cell, &shape, firstPieces(shape, ids), {} });
+    this->Waiting.push_back(index);
+    this->Cells.push_back({ cell, &shape, corners, firstPieces(shape, corners), {} });
   }
 
   /** Returns false if the progress says so. */
   bool refine(const std::function<bool(double)>& progress)
   {
+    this->CellsOfCorners.sort();
     for (vtkIdType done = 0; !this->Waiting.empty(); ++done)
     {
       const auto all = static_cast<double>(done) + static_cast<double>(this->Waiting.size());
@@ -113,7 +119,7 @@ public:
         const vtkIdType last = place + ids->GetId(place);
         for (++place; place <= last; ++place)
         {
-          ids->SetId(place, this->Points.copyOf(ids->GetId(place)));
+          ids->SetId(place, this->Points.copyOf(ids->GetId(place)).Id);
         }
       }
     }
@@ -122,7 +128,7 @@ public:
       this->Grid->GetCells()->GetCellAtId(cell, ids);
       for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
       {
-        ids->SetId(i, this->Points.copyOf(ids->GetId(i)));
+        ids->SetId(i, this->Points.copyOf(ids->GetId(i)).Id);
       }
     }
     this->Output->InsertNextCell(type, ids);
@@ -149,8 +155,9 @@ public:
 private:
   vtkIdType& middle(CutCell& cell, const PieceCorner& a, const PieceCorner& b)
   {
-    EdgeTable& edges = (a.Faces & b.Faces) != 0 ? this->OuterEdges : cell.InnerEdges;
-    vtkIdType& middle = edges.middle(a.Id, b.Id);
+    const bool isOuter = (a.Faces & b.Faces) != 0;
+    EdgeTable& edges = isOuter ? this->OuterEdges : cell.InnerEdges;
+    vtkIdType& middle = edges.middle(a.Point.Id, b.Point.Id);
     if (middle == EdgeTable::Unknown)
     {
       middle = EdgeTable::Whole;
@@ -159,41 +166,73 @@ private:
         this->setMiddle(cell, a, b, middle);
       }
     }
+    if (middle == EdgeTable::Whole && isOuter && this->Points.isShared())
+    {
+      this->followOthers(a, b, middle);
+    }
     return middle;
   }
 
   void setMiddle(CutCell& cell, const PieceCorner& a, const PieceCorner& b, vtkIdType& middle)
   {
-    this->Cell.evaluate(middleOf(a, b, 0).place(), this->Place);
-    middle = this->Points.insert(this->Place, this->Cell.points());
-    this->wakeNeighbors(cell, a.Faces & b.Faces);
+    const bool isOuter = (a.Faces & b.Faces) != 0;
+    if (isOuter && this->Points.isShared() && this->followOthers(a, b, middle))
+    {
+      return; // its neighbours were woken then
+    }
+    this->Cell.evaluate(middleOf(a, b, {}).place(), this->Place);
+    middle = this->Points.insert(this->Place, this->Cell.points()).Id;
+    if (isOuter && this->Points.isShared())
+    {
+      this->HalvedEdges.middle(a.Point.Place, b.Point.Place) = middle;
+    }
+    if (isOuter)
+    {
+      this->wakeNeighbors(cell, a.Faces & b.Faces);
+    }
+  }
+
+  // If a cell with other points has halved the same edge.
+  bool followOthers(const PieceCorner& a, const PieceCorner& b, vtkIdType& middle)
+  {
+    const vtkIdType halved = this->HalvedEdges.middle(a.Point.Place, b.Point.Place);
+    if (halved < 0)
+    {
+      return false;
+    }
+    this->Cell.evaluate(middleOf(a, b, {}).place(), this->Place);
+    const Vector3 apart = this->Points.position(halved) - this->Place.Position;
+    const bool isSame = std::sqrt(dot(apart, apart)) <= SamePlace * this->Tolerance.Distance;
+    if (isSame)
+    {
+      middle =
+        this->Points.insertAt(static_cast<std::uint32_t>(halved), this->Place, this->Cell.points())
+          .Id;
+    }
+    return isSame;
   }
 
   // The cells that have all these faces' common corners.
   void wakeNeighbors(const CutCell& cell, int faces)
   {
-    if (faces == 0)
-    {
-      return;
-    }
-    this->Common->Reset();
-    for (std::size_t corner = 0; corner < cell.Shape->Corners.size(); ++corner)
+    this->Common.clear();
+    for (std::size_t corner = 0; corner < cell.Corners.size(); ++corner)
     {
       if ((facesOf(*cell.Shape, static_cast<int>(corner)) & faces) == faces)
       {
-        this->Common->InsertNextId(this->Cell.points()->GetId(static_cast<vtkIdType>(corner)));
+        this->Common.push_back(cell.Corners[corner].Place);
       }
     }
-    this->Grid->GetCellNeighbors(cell.Id, this->Common, this->Neighbors);
-    for (vtkIdType i = 0; i < this->Neighbors->GetNumberOfIds(); ++i)
-    {
-      const auto found = this->Places.find(this->Neighbors->GetId(i));
-      if (found != this->Places.end() && !this->Cells[found->second].IsWaiting)
+    this->CellsOfCorners.forEach(this->Common,
+      [&](std::uint32_t index)
       {
-        this->Cells[found->second].IsWaiting = true;
-        this->Waiting.push_back(found->second);
-      }
-    }
+        CutCell& other = this->Cells[index];
+        if (&other != &cell && !other.IsWaiting)
+        {
+          other.IsWaiting = true;
+          this->Waiting.push_back(index);
+        }
+      });
   }
 
   // Returns whether an edge is to be halved that pieces may have which were left whole.
@@ -223,7 +262,7 @@ private:
         this->setMiddle(cell, piece[ends[0]], piece[ends[1]], middle);
         again = true;
       }
-      const PieceCorner half = middleOf(piece[ends[0]], piece[ends[1]], middle);
+      const PieceCorner half = middleOf(piece[ends[0]], piece[ends[1]], this->Points.point(middle));
       for (int i = 0; i < 2; ++i)
       {
         this->Stack.push_back(piece);
@@ -240,8 +279,8 @@ private:
     {
       return false;
     }
-    const Vector3 begin = this->Points.position(a.Id);
-    const Vector3 along = this->Points.position(b.Id) - begin;
+    const Vector3 begin = this->Points.position(a.Point.Id);
+    const Vector3 along = this->Points.position(b.Point.Id) - begin;
     const double length2 = dot(along, along);
     for (const double t : TestedAt)
     {
@@ -258,8 +297,8 @@ private:
       }
       for (std::size_t c = 0; c < this->Tolerance.Values.size(); ++c)
       {
-        const double straight =
-          (1 - share) * this->Points.value(a.Id, c) + share * this->Points.value(b.Id, c);
+        const double straight = (1 - share) * this->Points.value(a.Point.Id, c) +
+                                share * this->Points.value(b.Point.Id, c);
         if (std::abs(this->Place.Values[c] - straight) > this->Tolerance.Values[c])
         {
           return true;
@@ -275,7 +314,7 @@ private:
     std::array<Vector3, 4> points;
     for (int i = 0; i < 4; ++i)
     {
-      ids[i] = piece[i].Id;
+      ids[i] = piece[i].Point.Id;
       points[i] = this->Points.position(ids[i]);
     }
     if (dot(cross(points[1] - points[0], points[2] - points[0]), points[3] - points[0]) < 0)
@@ -286,20 +325,21 @@ private:
     this->Origins->InsertNextValue(cell);
   }
 
-  vtkNew<vtkUnstructuredGrid> Grid;
+  vtkUnstructuredGrid* Grid;
   const CurvedTolerance& Tolerance;
   vtkUnstructuredGrid* Output;
   CurvedCell Cell; // that is cut
   OutputPoints Points;
-  EdgeTable OuterEdges;
+  EdgeTable OuterEdges;  // by points
+  EdgeTable HalvedEdges; // by places
   std::vector<CutCell> Cells;
-  std::unordered_map<vtkIdType, std::size_t> Places; // of cells, by their ids
-  std::deque<std::size_t> Waiting;
-  vtkNew<vtkIdTypeArray> Origins; // of the cells of the output
+  CornerCells CellsOfCorners;
+  std::deque<std::uint32_t> Waiting; // indices of cells
+  vtkNew<vtkIdTypeArray> Origins;    // of the cells of the output
   CurvedPlace Place;
   std::vector<Piece> Stack;
-  vtkNew<vtkIdList> Common; // points
-  vtkNew<vtkIdList> Neighbors;
+  std::vector<std::uint32_t> Common; // places
+  vtkNew<vtkIdList> Ids;
 };
 
 std::string errorOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
