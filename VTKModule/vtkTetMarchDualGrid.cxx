@@ -31,7 +31,7 @@ int vtkTetMarchDualGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  auto* blocks = vtkUniformGridAMR::GetData(inputVector[0]);
+  auto* blocks = vtkUniformGridAMR::SafeDownCast(vtkDataObject::GetData(inputVector[0]));
   auto* tree = vtkHyperTreeGrid::GetData(inputVector[0]);
   std::string error;
   const std::string shortage = tetmarch::withinMemory("the cells between leaves",
