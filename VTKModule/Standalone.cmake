@@ -38,7 +38,7 @@ if (TETMARCH_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${tetmarch_vtk_components}
   OPTIONAL_COMPONENTS
-    ChartsCore FiltersGeneral FiltersSources FiltersHybrid GUISupportQt ImagingCore
+    ChartsCore FiltersCellGrid FiltersGeneral FiltersSources FiltersHybrid GUISupportQt ImagingCore
     InteractionStyle InteractionWidgets IOCGNSReader IOExodus IOImage IOLegacy IOParallel IOXML
     RenderingContextOpenGL2 TestingRendering ViewsContext2D)
 

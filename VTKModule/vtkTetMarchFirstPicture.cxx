@@ -86,7 +86,7 @@ bool vtkTetMarchFirstPicture::ListFaults(vtkStringArray* faults)
   }
   faults->Initialize();
   std::string wrong;
-  const auto drawn = this->Found->Leaves.replaceTrees(this->Found->Data, wrong);
+  const auto drawn = this->Found->Made.replaceIn(this->Found->Data, wrong);
   for (const std::string& fault :
     drawn ? tetmarch::listFaults(drawn) : std::vector<std::string>{ wrong })
   {
@@ -98,7 +98,7 @@ bool vtkTetMarchFirstPicture::ListFaults(vtkStringArray* faults)
 std::string vtkTetMarchFirstPicture::Internals::check()
 {
   std::string error;
-  this->Drawn = this->Leaves.replaceTrees(this->Data, error);
+  this->Drawn = this->Made.replaceIn(this->Data, error);
   return this->Drawn ? tetmarch::checkBlocks(this->Drawn) : error;
 }
 

@@ -7,7 +7,7 @@
 #include "FirstPicture/Crossings.h"
 #include "FirstPicture/DrawnArray.h"
 #include "FirstPicture/PicturePlane.h"
-#include "Input/LeafGrids.h"
+#include "Input/MadeGrids.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
@@ -23,7 +23,7 @@
 struct vtkTetMarchFirstPicture::Internals
 {
   vtkSmartPointer<vtkDataObject> Data;
-  tetmarch::LeafGrids Leaves;
+  tetmarch::MadeGrids Made;
   vtkSmartPointer<vtkDataObject> Drawn; // with grids of leaves in place of trees; set by check()
   vtkMTimeType Time = 0; // of the data when it was checked, and its blocks were listed
   bool IsChecked = false;

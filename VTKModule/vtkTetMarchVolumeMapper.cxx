@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTetMarchVolumeMapperInternals.h"
 
+#include "Input/MadeGrids.h"
 #include "Input/SolidCells.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/RecordStatistics.h"
@@ -10,7 +11,6 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkExplicitStructuredGrid.h"
-#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -29,7 +29,7 @@ bool isJoined(vtkDataObject* input, double curvedTolerance)
 {
   return (curvedTolerance > 0 && vtkUnstructuredGrid::SafeDownCast(input)) ||
          vtkCompositeDataSet::SafeDownCast(input) || vtkStructuredGrid::SafeDownCast(input) ||
-         vtkExplicitStructuredGrid::SafeDownCast(input) || vtkHyperTreeGrid::SafeDownCast(input);
+         vtkExplicitStructuredGrid::SafeDownCast(input) || tetmarch::isGridMadeOf(input);
 }
 } // namespace
 
@@ -158,8 +158,10 @@ double* vtkTetMarchVolumeMapper::GetOwnBounds()
 int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  for (const char* type : { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkHyperTreeGrid",
-         "vtkDataObjectTree", "vtkUniformGridAMR" })
+  std::vector<const char*> types = tetmarch::typesOfMadeGrids();
+  types.insert(types.end(),
+    { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" });
+  for (const char* type : types)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   }

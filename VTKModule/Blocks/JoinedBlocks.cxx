@@ -73,9 +73,9 @@ void JoinedBlocks::clear()
 
 void JoinedBlocks::restart()
 {
-  LeafGrids leaves = std::move(this->Leaves);
+  MadeGrids made = std::move(this->Made);
   this->clear();
-  this->Leaves = std::move(leaves);
+  this->Made = std::move(made);
 }
 
 // Choose the blocks that are drawn.
@@ -236,7 +236,7 @@ std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& se
     [&]
     {
       std::string error;
-      const auto blocks = this->Leaves.replaceTrees(input, error);
+      const auto blocks = this->Made.replaceIn(input, error);
       if (blocks)
       {
         this->joinChanged(blocks, selection, curvedTolerance, progress);
@@ -262,7 +262,7 @@ void JoinedBlocks::findBounds(vtkDataObject* input, double bounds[6])
   const std::string shortage = withinMemory("the leaves of trees",
     [&]
     {
-      if (const auto blocks = this->Leaves.replaceTrees(input, error))
+      if (const auto blocks = this->Made.replaceIn(input, error))
       {
         boundBlocks(blocks, bounds);
         if (this->isCut())

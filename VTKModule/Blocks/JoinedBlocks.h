@@ -10,7 +10,7 @@
 #include "Blocks/CellOrigins.h"
 #include "Caching/StageRecord.h"
 #include "Curved/StraightGrid.h"
-#include "Input/LeafGrids.h"
+#include "Input/MadeGrids.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -72,7 +72,7 @@ private:
   StraightGrid Cut;
   CellOrigins CutOrigins;
   std::string Omissions;
-  LeafGrids Leaves;
+  MadeGrids Made;
   StageRecord Record;
 };
 

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Unstructured grids that mappers draw in place of data that are no vtkDataSet: of trees their
+// leaves, of cell grids their cells.
+#ifndef TetMarchInputMadeGrids_h
+#define TetMarchInputMadeGrids_h
+
+#include "Caching/Fingerprint.h"
+
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkUnstructuredGrid;
+
+namespace tetmarch
+{
+
+/** Whether a grid is made in place of this: of a vtkHyperTreeGrid, and of a vtkCellGrid where VTK
+ * has these. */
+bool isGridMadeOf(vtkDataObject* data);
+
+/** The names of these classes. */
+std::vector<const char*> typesOfMadeGrids();
+
+class MadeGrids
+{
+public:
+  /**
+   * The input, if no grid is made of it or of its blocks. Else a copy with these grids. A grid
+   * stays the same until what it is made of changes. Null, with an error, if data aren't sound.
+   */
+  vtkSmartPointer<vtkDataObject> replaceIn(vtkDataObject* input, std::string& error);
+
+private:
+  struct MadeGrid
+  {
+    Fingerprint MadeFrom;
+    vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  };
+  using GridsByData = std::map<vtkDataObject*, MadeGrid>;
+
+  MadeGrid gridOf(vtkDataObject* data, std::string& error);
+
+  GridsByData Made;
+};
+
+} // namespace tetmarch
+
+#endif
