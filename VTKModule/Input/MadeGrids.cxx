@@ -58,7 +58,7 @@ MadeGrids::MadeGrid MadeGrids::gridOf(vtkDataObject* data, std::string& error)
   const Kind& kind = *kindOf(data);
   const Fingerprint version = kind.VersionOf(data);
   const auto made = this->Made.find(data);
-  if (made != this->Made.end() && made->second.MadeFrom == version)
+  if (made != this->Made.end() && made->second.Grid && made->second.MadeFrom == version)
   {
     return made->second;
   }

@@ -26,6 +26,7 @@ READERS = {
     ".vth": ("vtkIOXML", "vtkXMLUniformGridAMRReader"),
     ".vthb": ("vtkIOXML", "vtkXMLUniformGridAMRReader"),
     ".htg": ("vtkIOXML", "vtkXMLHyperTreeGridReader"),
+    ".dg": ("vtkIOCellGrid", "vtkCellGridReader"),  # of VTK 9.5 and later
     ".pvtp": ("vtkIOXML", "vtkXMLPPolyDataReader"),
     ".pvtu": ("vtkIOXML", "vtkXMLPUnstructuredGridReader"),
     ".pvti": ("vtkIOXML", "vtkXMLPImageDataReader"),
