@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Device.h"
 
+#include <cstdint>
 #include <stdexcept>
 
 namespace tetmarch::gpu

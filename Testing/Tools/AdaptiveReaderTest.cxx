@@ -5,6 +5,7 @@
 #include "Fields.h"
 #include "ReaderCase.h"
 
+#include "vtkCompositeDataIterator.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
@@ -79,8 +80,13 @@ TEST_F(AdaptiveReader, AllLevelsOfBlocks)
 {
   const auto mesh = tetmarch::testing::adaptiveMesh(tetmarch::testing::linearField());
   const std::string path = this->Write<vtkXMLUniformGridAMRWriter>("mesh.vthb", mesh);
-  const auto read =
-    this->Read<vtkOverlappingAMR>(path, AnyConstant, mesh->GetTotalNumberOfBlocks());
+  const auto at = vtk::TakeSmartPointer(mesh->NewIterator());
+  std::size_t blocks = 0;
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    ++blocks;
+  }
+  const auto read = this->Read<vtkOverlappingAMR>(path, AnyConstant, blocks);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->GetNumberOfLevels(), 3u);
   const auto between = this->Read<vtkUnstructuredGrid>(path, AnyContinuous, 1);

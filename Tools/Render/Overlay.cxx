@@ -61,14 +61,14 @@ void Overlay::AddActor(vtkPolyData* data, double lineWidth)
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(this->Color.data());
   actor->GetProperty()->SetLineWidth(static_cast<float>(lineWidth));
-  this->Renderer->AddActor2D(actor);
+  this->Renderer->AddViewProp(actor);
 }
 
 void Overlay::Clear()
 {
   for (const auto& text : this->Texts)
   {
-    this->Renderer->RemoveActor2D(text);
+    this->Renderer->RemoveViewProp(text);
   }
   this->Texts.clear();
   for (vtkPolyData* data : { this->Rectangles.Get(), this->Lines.Get() })
@@ -125,7 +125,7 @@ void Overlay::AddText(const std::string& text, double size, const Point& place, 
   actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   actor->SetPosition(
     WithinPixel(place[0]) / this->PictureSize[0], WithinPixel(place[1]) / this->PictureSize[1]);
-  this->Renderer->AddActor2D(actor);
+  this->Renderer->AddViewProp(actor);
   this->Texts.push_back(actor);
 }
 
