@@ -34,6 +34,7 @@ namespace tetmarch
 namespace
 {
 
+using namespace vtk::literals;
 using Node = std::array<double, 3>;
 
 // In parts of the greatest coordinate: points that differ by rounding are as near.
@@ -329,13 +330,17 @@ Fingerprint versionOfCellGrid(vtkDataObject* data)
   auto* grid = vtkCellGrid::SafeDownCast(data);
   Fingerprint version;
   add(version, grid);
-  for (const auto& attribute : grid->GetCellAttributeList())
+  for (const std::string& name : grid->GetCellTypes())
   {
-    add(version, attribute);
-  }
-  for (const auto& group : grid->GetArrayGroups())
-  {
-    add(version, group.second);
+    auto* type = vtkDGCell::SafeDownCast(grid->GetCellType(name));
+    add(version, type ? type->GetCellSpec().Connectivity : nullptr);
+    for (const auto& attribute : grid->GetCellAttributeList())
+    {
+      const auto info = attribute->GetCellTypeInfo(name);
+      add(version, attribute);
+      add(version, info.GetArrayForRoleAs<vtkDataArray>("values"_token));
+      add(version, info.GetArrayForRoleAs<vtkDataArray>("connectivity"_token));
+    }
   }
   return version;
 }

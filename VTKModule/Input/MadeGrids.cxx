@@ -62,9 +62,9 @@ MadeGrids::MadeGrid MadeGrids::gridOf(vtkDataObject* data, std::string& error)
   {
     return made->second;
   }
-  MadeGrid anew{ version, {} };
-  error = kind.Make(data, anew.Grid);
-  return anew;
+  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  error = kind.Make(data, grid);
+  return error.empty() ? MadeGrid{ version, grid } : MadeGrid();
 }
 
 vtkSmartPointer<vtkDataObject> MadeGrids::replaceIn(vtkDataObject* input, std::string& error)
