@@ -134,6 +134,7 @@ TEST_F(CellGridErrors, OfGridsThatAreNotSound)
   };
   for (const auto& [spoil, words] : cases)
   {
+    SCOPED_TRACE(words.back());
     const auto grid = whole();
     spoil(grid);
     this->expectError(
