@@ -22,7 +22,7 @@ vtkCellAttribute::CellTypeInfo infoOf(vtkDGCell* type, vtkCellAttribute* attribu
 
 bool isThere(const vtkCellAttribute::CellTypeInfo& info)
 {
-  return info.FunctionSpace.IsValid() && !info.ArraysByRole.empty();
+  return info.FunctionSpace.IsValid();
 }
 
 } // namespace
