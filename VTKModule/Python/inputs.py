@@ -5,8 +5,8 @@ import os
 
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkExplicitStructuredGrid,
-                                           vtkHyperTreeGrid, vtkImageData, vtkNonOverlappingAMR, vtkOverlappingAMR,
-                                           vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
+                                           vtkImageData, vtkNonOverlappingAMR, vtkOverlappingAMR, vtkPolyData,
+                                           vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
@@ -50,15 +50,24 @@ def curvilinear(data):
     return data if isinstance(data, vtkStructuredGrid) and min(dimensions_of(data)) > 1 else joined([data])
 
 
-def blocks_of(tree):
-    """The data sets of a tree with cells, surfaces left out."""
+def gets_a_grid(data):
+    """Whether mappers make a grid of this, which is no vtkDataSet. VTK 9.1 has no vtkCellGrid."""
+    return data.IsA("vtkHyperTreeGrid") or data.IsA("vtkCellGrid")
+
+
+def leaves_of(tree):
     at = tree.NewIterator()
     at.InitTraversal()
     while not at.IsDoneWithTraversal():
-        block = at.GetCurrentDataObject()
+        yield at.GetCurrentDataObject()
+        at.GoToNextItem()
+
+
+def blocks_of(tree):
+    """The data sets of a tree with cells, surfaces left out."""
+    for block in leaves_of(tree):
         if isinstance(block, vtkDataSet) and not isinstance(block, vtkPolyData) and block.GetNumberOfCells() > 0:
             yield block
-        at.GoToNextItem()
 
 
 def is_structured(data):
@@ -66,7 +75,8 @@ def is_structured(data):
     if isinstance(data, (vtkOverlappingAMR, vtkNonOverlappingAMR)):
         return False
     if isinstance(data, vtkCompositeDataSet):
-        return all(isinstance(block, LATTICES) for block in blocks_of(data))
+        return (all(isinstance(block, LATTICES) for block in blocks_of(data))
+                and not any(map(gets_a_grid, leaves_of(data))))
     return isinstance(data, LATTICES)
 
 
@@ -95,11 +105,11 @@ def drawn_data(data):
         return data
     if isinstance(data, (vtkStructuredGrid, vtkExplicitStructuredGrid)):
         return curvilinear(data)
-    if isinstance(data, vtkHyperTreeGrid):
+    if gets_a_grid(data):
         check_faults(data)
         return data
     if isinstance(data, vtkCompositeDataSet):
-        if not any(True for _ in blocks_of(data)):
+        if not any(True for _ in blocks_of(data)) and not any(map(gets_a_grid, leaves_of(data))):
             raise ValueError(f"the {data.GetClassName()} has no block with cells")
         return data
     if isinstance(data, vtkPolyData):
