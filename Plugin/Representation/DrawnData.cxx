@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnData.h"
 
+#include "CellGrids.h"
+
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
@@ -130,7 +133,8 @@ vtkBoundingBox boundsOfDataSet(vtkDataSet* data)
 bool isDrawnAsMesh(vtkDataObject* data)
 {
   return vtkPointSet::SafeDownCast(data) || vtkDataObjectTree::SafeDownCast(data) ||
-         vtkUniformGridAMR::SafeDownCast(data) || vtkHyperTreeGrid::SafeDownCast(data);
+         vtkUniformGridAMR::SafeDownCast(data) || vtkHyperTreeGrid::SafeDownCast(data) ||
+         isCellGrid(data);
 }
 
 vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelection& selection,
@@ -140,7 +144,7 @@ vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelec
   {
     return copy;
   }
-  if (vtkUniformGridAMR::SafeDownCast(input))
+  if (vtkUniformGridAMR::SafeDownCast(input) || isCellGrid(input))
   {
     auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
     copy->ShallowCopy(input);
@@ -156,7 +160,7 @@ vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelec
   for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
   {
     vtkDataObject* block = at->GetCurrentDataObject();
-    if (change || vtkHyperTreeGrid::SafeDownCast(block))
+    if (!isCellGrid(block) && (change || vtkHyperTreeGrid::SafeDownCast(block)))
     {
       selected->SetDataSet(at, copyOfDataSet(block, change));
     }
@@ -171,11 +175,16 @@ vtkBoundingBox boundsOf(vtkDataObject* data)
   {
     return boundsOfDataSet(grid);
   }
+  if (isCellGrid(data))
+  {
+    return boundsOfCellGrid(data);
+  }
   if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))
   {
-    for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(tree))
+    const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
     {
-      box.AddBox(boundsOfDataSet(block));
+      box.AddBox(boundsOf(at->GetCurrentDataObject()));
     }
   }
   return box;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputProblem.h"
 
+#include "CellGrids.h"
+
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
@@ -47,25 +49,23 @@ bool hasSolids(vtkDataSet* data)
   return false;
 }
 
-std::vector<vtkHyperTreeGrid*> treesOf(vtkDataObject* data)
+// The data, or its blocks if it is a tree.
+std::vector<vtkDataObject*> leavesOf(vtkDataObject* data)
 {
-  std::vector<vtkHyperTreeGrid*> trees;
-  if (auto* tree = vtkHyperTreeGrid::SafeDownCast(data))
-  {
-    trees.push_back(tree);
-  }
-  else if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
+  std::vector<vtkDataObject*> leaves;
+  if (auto* blocks = vtkDataObjectTree::SafeDownCast(data))
   {
     const auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(blocks->NewTreeIterator());
     for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
     {
-      if (auto* block = vtkHyperTreeGrid::SafeDownCast(at->GetCurrentDataObject()))
-      {
-        trees.push_back(block);
-      }
+      leaves.push_back(at->GetCurrentDataObject());
     }
   }
-  return trees;
+  else
+  {
+    leaves.push_back(data);
+  }
+  return leaves;
 }
 
 } // namespace
@@ -103,12 +103,22 @@ void InputProblem::lookAt(vtkDataObject* input)
     found[ARRAYS] +=
       data->GetPointData()->GetNumberOfArrays() + data->GetCellData()->GetNumberOfArrays();
   }
-  for (vtkHyperTreeGrid* tree : treesOf(input))
+  for (vtkDataObject* leaf : leavesOf(input))
   {
-    const long long cells = tree->GetNumberOfLeaves();
-    found[CELLS] += cells;
-    found[SOLIDS] += tree->GetDimension() == 3 ? cells : 0;
-    found[ARRAYS] += tree->GetCellData()->GetNumberOfArrays();
+    if (auto* tree = vtkHyperTreeGrid::SafeDownCast(leaf))
+    {
+      const long long cells = tree->GetNumberOfLeaves();
+      found[CELLS] += cells;
+      found[SOLIDS] += tree->GetDimension() == 3 ? cells : 0;
+      found[ARRAYS] += tree->GetCellData()->GetNumberOfArrays();
+    }
+    else if (tetmarch::isCellGrid(leaf))
+    {
+      const tetmarch::CellGridNumbers numbers = tetmarch::numbersOfCellGrid(leaf);
+      found[CELLS] += numbers.Cells;
+      found[SOLIDS] += numbers.Cells;
+      found[ARRAYS] += numbers.Fields;
+    }
   }
   long long all[NUMBERS];
   std::copy_n(found, NUMBERS, all);

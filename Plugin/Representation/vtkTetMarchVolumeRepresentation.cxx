@@ -43,9 +43,11 @@ vtkTetMarchVolumeRepresentation::~vtkTetMarchVolumeRepresentation() = default;
 int vtkTetMarchVolumeRepresentation::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkExplicitStructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
+  for (const char* type :
+    { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkHyperTreeGrid", "vtkCellGrid" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
   return 1;
 }
 

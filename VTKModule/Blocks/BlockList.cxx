@@ -64,6 +64,20 @@ std::vector<Block> listBlocks(vtkDataObject* input, const ScalarSelection& selec
   return blocks;
 }
 
+void chooseOfEither(Block& block, ScalarSelection selection)
+{
+  if (block.Scalars)
+  {
+    return;
+  }
+  selection.Mode = selection.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+                     ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
+                     : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  const Block found = blockOf(block.Data, selection);
+  block.Scalars = found.Scalars;
+  block.CellScalars = found.CellScalars;
+}
+
 void boundBlocks(vtkDataObject* input, double bounds[6])
 {
   vtkBoundingBox box;

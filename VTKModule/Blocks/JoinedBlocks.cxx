@@ -278,7 +278,11 @@ void JoinedBlocks::findBounds(vtkDataObject* input, double bounds[6])
 void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& selection,
   double curvedTolerance, const Progress& progress)
 {
-  const std::vector<Block> blocks = listBlocks(input, selection);
+  std::vector<Block> blocks = listBlocks(input, selection);
+  for (Block& block : blocks)
+  {
+    this->Made.isOfCellGrid(block.Data) ? chooseOfEither(block, selection) : void();
+  }
   Fingerprint shape = shapeOf(blocks);
   const std::string wanted = describe(selection);
   shape.insert(shape.end(), wanted.begin(), wanted.end());

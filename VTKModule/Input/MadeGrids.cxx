@@ -67,6 +67,13 @@ MadeGrids::MadeGrid MadeGrids::gridOf(vtkDataObject* data, std::string& error)
   return error.empty() ? MadeGrid{ version, grid } : MadeGrid();
 }
 
+bool MadeGrids::isOfCellGrid(vtkDataObject* grid) const
+{
+  return std::any_of(this->Made.begin(), this->Made.end(),
+    [grid](const auto& made)
+    { return made.second.Grid == grid && made.first->IsA("vtkCellGrid"); });
+}
+
 vtkSmartPointer<vtkDataObject> MadeGrids::replaceIn(vtkDataObject* input, std::string& error)
 {
   GridsByData found;

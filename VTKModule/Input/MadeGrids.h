@@ -35,6 +35,10 @@ public:
    */
   vtkSmartPointer<vtkDataObject> replaceIn(vtkDataObject* input, std::string& error);
 
+  /** Whether the last replacement made this of a vtkCellGrid. To VTK all fields of that are of
+   * cells; here they may be of points. */
+  bool isOfCellGrid(vtkDataObject* grid) const;
+
 private:
   struct MadeGrid
   {
