@@ -66,13 +66,13 @@ std::vector<Block> listBlocks(vtkDataObject* input, const ScalarSelection& selec
 
 void chooseOfEither(Block& block, ScalarSelection selection)
 {
-  if (block.Scalars)
+  const bool ofCells = selection.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  if (block.Scalars || (!ofCells && selection.Mode != VTK_SCALAR_MODE_USE_POINT_FIELD_DATA))
   {
     return;
   }
-  selection.Mode = selection.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
-                     ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA
-                     : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  selection.Mode =
+    ofCells ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
   const Block found = blockOf(block.Data, selection);
   block.Scalars = found.Scalars;
   block.CellScalars = found.CellScalars;
