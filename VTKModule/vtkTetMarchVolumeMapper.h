@@ -32,10 +32,12 @@
  * point. New ghost types do not rebuild the mesh.
  *
  * The input is a vtkUnstructuredGrid, a curvilinear grid (vtkStructuredGrid,
- * vtkExplicitStructuredGrid), a vtkHyperTreeGrid, or a tree of blocks (vtkMultiBlockDataSet,
- * vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkOverlappingAMR, vtkNonOverlappingAMR;
- * by SetInputConnection() or SetInputDataObject()). Of an adaptive mesh the finest cells are drawn;
- * those of a vtkHyperTreeGrid are its leaves, numbered in their order. Blocks are joined into
+ * vtkExplicitStructuredGrid), a vtkHyperTreeGrid, a vtkCellGrid (VTK 9.5 and later), or a tree of
+ * blocks (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
+ * vtkOverlappingAMR, vtkNonOverlappingAMR; by SetInputConnection() or SetInputDataObject()). Of an
+ * adaptive mesh the finest cells are drawn; those of a vtkHyperTreeGrid are its leaves, numbered in
+ * their order, and those of a vtkCellGrid its three-dimensional ones, type by type in the order of
+ * their names; its nodal fields are arrays of points or of cells, as one asks. Blocks are joined into
  * one grid, so that rays continue from one block to the next. They may be any data sets with 3D
  * cells, also images and rectilinear grids, whose cells are decomposed into tetrahedra. Points of
  * different blocks are identified by global point ids if all blocks have them, else by equal
