@@ -37,10 +37,10 @@
  * vtkOverlappingAMR, vtkNonOverlappingAMR; by SetInputConnection() or SetInputDataObject()). Of an
  * adaptive mesh the finest cells are drawn; those of a vtkHyperTreeGrid are its leaves, numbered in
  * their order, and those of a vtkCellGrid its three-dimensional ones, type by type in the order of
- * their names; its nodal fields are arrays of points or of cells, as one asks. Blocks are joined into
- * one grid, so that rays continue from one block to the next. They may be any data sets with 3D
- * cells, also images and rectilinear grids, whose cells are decomposed into tetrahedra. Points of
- * different blocks are identified by global point ids if all blocks have them, else by equal
+ * their names; its nodal fields are arrays of points or of cells, as one asks. Blocks are joined
+ * into one grid, so that rays continue from one block to the next. They may be any data sets with
+ * 3D cells, also images and rectilinear grids, whose cells are decomposed into tetrahedra. Points
+ * of different blocks are identified by global point ids if all blocks have them, else by equal
  * coordinates to the last bit. If such points have different scalars, each block keeps its own,
  * unless its point is a duplicate by vtkGhostType. Blocks without the chosen array are left out
  * with a warning that names them. The joined grid is updated when blocks have changed, and takes
