@@ -70,6 +70,15 @@ def unstructured(grid):
     return append.GetOutput()
 
 
+def cell_grid(grid):
+    """The same cells as a vtkCellGrid, in whose opinion all fields are of cells."""
+    from paraview.vtk.vtkFiltersCellGrid import vtkUnstructuredGridToCellGrid
+    convert = vtkUnstructuredGridToCellGrid()
+    convert.SetInputDataObject(grid)
+    convert.Update()
+    return convert.GetOutputDataObject(0).GetPartitionAsDataObject(0, 0)
+
+
 def grid_of(boxes):
     """A hexahedron for each (bounds, value)."""
     append = vtkAppendFilter()

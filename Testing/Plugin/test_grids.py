@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Curvilinear grids, adaptive meshes, trees and curved cells in ParaView: pictures of the same cells in other grids."""
 from lattices import ARRAY, blocks, source_of
-from other_grids import N, adaptive, bulging, curvilinear, field, hidden, trees, unstructured
+from other_grids import N, adaptive, bulging, cell_grid, curvilinear, field, hidden, trees, unstructured
 from paraview import servermanager, simple
 from views import (brightness, difference, figure_of, load_plugin, mapper_of, open_view, parse_arguments, picture_of,
                    set_all, show)
@@ -93,10 +93,14 @@ def main():
         "trees": (grid_of_trees, "HyperTreeGrid", "CELLS", leaves_of_trees),
         "blocks of trees": (blocks(one=grid_of_trees), "HyperTreeGrid", "CELLS", leaves_of_trees),
     }
+    if hasattr(simple, "CellGridReader"):
+        cells = cell_grid(unstructured(whole))
+        cases["cell grid"] = (cells, "CellGrid", "CELLS", unstructured(whole))
+        cases["blocks of cell grids"] = (blocks(one=cells), "CellGrid", "CELLS", unstructured(whole))
     for name, (data, kind, association, same) in cases.items():
         file = arguments.pictures and f"{arguments.pictures}/{name}.png"
         drawn = draw(view, data, kind, association, file)
-        expected = draw(view, same, "UnstructuredGrid", association)
+        expected = draw(view, same, "UnstructuredGrid", "POINTS" if kind == "CellGrid" else association)
         for words, picture, other in zip(("plain", "lit and cut"), drawn, expected):
             share = difference(picture, other)
             print(f"{name}, {words}: brightness {brightness(picture):.1f}, {100 * share:.2f} % of the pixels differ")
