@@ -93,7 +93,7 @@ def main():
         "trees": (grid_of_trees, "HyperTreeGrid", "CELLS", leaves_of_trees),
         "blocks of trees": (blocks(one=grid_of_trees), "HyperTreeGrid", "CELLS", leaves_of_trees),
     }
-    if hasattr(simple, "CellGridReader"):
+    if hasattr(simple, "ConvertToCellGrid"):  # ParaView 6
         cells = cell_grid(unstructured(whole))
         cases["cell grid"] = (cells, "CellGrid", "CELLS", unstructured(whole))
         cases["blocks of cell grids"] = (blocks(one=cells), "CellGrid", "CELLS", unstructured(whole))
