@@ -9,6 +9,8 @@ import struct
 import vtkmodules.all as vtk
 
 HERE = pathlib.Path(__file__).parent
+# The writer of Exodus that vtkmodules.all puts in place of the serial one crashes without it in VTK 9.6.
+vtk.vtkMultiProcessController.SetGlobalController(vtk.vtkDummyController())
 
 
 def add_arrays(data):
