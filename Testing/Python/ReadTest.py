@@ -15,7 +15,8 @@ import first_data
 import vtktetmarch
 
 # The writer of Exodus that vtkmodules.all puts in place of the serial one crashes without it in VTK 9.6.
-vtk.vtkMultiProcessController.SetGlobalController(vtk.vtkDummyController())
+CONTROLLER = vtk.vtkDummyController()  # VTK keeps no reference to it
+vtk.vtkMultiProcessController.SetGlobalController(CONTROLLER)
 
 MESH, IMAGE = (pathlib.Path(first_data.DATA) / name for name in ("golfball_small.vtu", "bonsai_small.vti"))
 
@@ -158,7 +159,8 @@ class ReadTest(unittest.TestCase):
         writer.Write()
         found = vtktetmarch.read(path)
         self.assertEqual(found.GetNumberOfCells(), 1)
-        pictures = [vtktetmarch.screenshot(data, size=(60, 50)) for data in (first_data.one_tetrahedron(), found, trees)]
+        drawn = (first_data.one_tetrahedron(), found, trees)
+        pictures = [vtktetmarch.screenshot(data, size=(60, 50)) for data in drawn]
         self.assertGreater(pictures[0].max(), 40)
         for picture in pictures[1:]:
             np.testing.assert_array_equal(picture, pictures[0])

@@ -10,7 +10,8 @@ import vtkmodules.all as vtk
 
 HERE = pathlib.Path(__file__).parent
 # The writer of Exodus that vtkmodules.all puts in place of the serial one crashes without it in VTK 9.6.
-vtk.vtkMultiProcessController.SetGlobalController(vtk.vtkDummyController())
+CONTROLLER = vtk.vtkDummyController()  # VTK keeps no reference to it
+vtk.vtkMultiProcessController.SetGlobalController(CONTROLLER)
 
 
 def add_arrays(data):
