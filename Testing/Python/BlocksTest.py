@@ -63,6 +63,16 @@ class BlocksTest(unittest.TestCase):
         self.assertLess(scenes.covered(self.view.pixels()), scenes.covered(self.whole))
         self.assertIs(self.mapper.GetDataObjectInput(), self.halves)
 
+    def test_trees_of_leaves(self):
+        source = vtk.vtkRandomHyperTreeGridSource()
+        source.SetDimensions(3, 3, 3)
+        source.Update()
+        trees = vtk.vtkMultiBlockDataSet()
+        trees.SetBlock(0, source.GetHyperTreeGridOutput())
+        pictures = [vtktetmarch.screenshot(data, size=(60, 50)) for data in (trees.GetBlock(0), trees)]
+        self.assertGreater(pictures[0].max(), 40)
+        np.testing.assert_array_equal(*pictures)
+
     def test_of_an_array_that_some_blocks_have(self):
         """These are drawn, and a warning names the others. tetmarch-render does so, too."""
         tree = first_data.blocks()
