@@ -4,7 +4,7 @@
 // the names of its features but HAS_FMA. With a folder, the shader texts of these variants are
 // written into it: 0-portable.frag of the first line, and 0-extended.frag with what only some
 // drivers have: fused multiply-add for meshes, gathers for lattices. `precise` is in both, as most
-// drivers have it, llvmpipe among them.
+// drivers have it, llvmpipe among them. "newer" are those of a Mesa that says which pixels help.
 #include "CoveringKeys.h"
 #include "LegalKeys.h"
 
@@ -60,11 +60,14 @@ void writeText(const std::string& file, const Pass& pass, const std::string& def
 void writeTexts(const std::string& begin, const Pass& pass, VariantKey key)
 {
   // The comparison runs on llvmpipe.
-  const std::string precise = "#define TETMARCH_LIMITS_TURNS 1\n#define TETMARCH_HAS_PRECISE 1\n";
-  writeText(begin + "-portable.frag", pass, key.defines() + precise);
+  const std::string both = "#define TETMARCH_LIMITS_TURNS 1\n#define TETMARCH_HAS_PRECISE 1\n";
+  const std::string newer = both + "#define TETMARCH_SKIPS_HELPERS 1\n";
+  writeText(begin + "-portable.frag", pass, key.defines() + both);
+  writeText(begin + "-portable-newer.frag", pass, key.defines() + newer);
   key.HasFma = !key.Structured;
   const std::string gather = key.Structured ? "#define TETMARCH_HAS_GATHER 1\n" : "";
-  writeText(begin + "-extended.frag", pass, key.defines() + precise + gather);
+  writeText(begin + "-extended.frag", pass, key.defines() + both + gather);
+  writeText(begin + "-extended-newer.frag", pass, key.defines() + newer + gather);
 }
 } // namespace
 

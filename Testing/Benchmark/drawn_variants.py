@@ -31,8 +31,7 @@ def is_drawn(wanted, captured):
 
 
 def missing_variants(texts, captures, numbers):
-    """Those of the numbered variants of which neither text, the portable or the extended one, was compiled."""
+    """Those of the numbered variants of which no text, be it the portable or the extended one, was compiled."""
     captured = captured_shaders(captures)
     return [number for number in numbers
-            if not any(is_drawn(lines_of((texts / f"{number}-{kind}.frag").read_text()), captured)
-                       for kind in ("portable", "extended"))]
+            if not any(is_drawn(lines_of(text.read_text()), captured) for text in texts.glob(f"{number}-*.frag"))]
