@@ -27,11 +27,6 @@ namespace tetmarch
 namespace
 {
 
-constexpr double TestedAt[] = { 0.25, 0.5, 0.75 };
-// An edge of 1/64 of a cell's is no longer tested: functions that are no polynomials end here.
-constexpr float ShortestTested = 1.0F / 64;
-// Of shape functions, in parts of the greatest value; scalars that are all alike differ by it.
-constexpr double RoundingOfValues = 1e-13;
 // Of the tolerance of distances: middles of edges of different cells that are as near are one.
 constexpr double SamePlace = 0.01;
 constexpr vtkIdType CellsBetweenProgress = 1000;
@@ -161,7 +156,7 @@ private:
     if (middle == EdgeTable::Unknown)
     {
       middle = EdgeTable::Whole;
-      if (this->leavesTolerance(a, b))
+      if (leavesTolerance(this->Tolerance, a, b, this->Points, this->Cell, this->Place))
       {
         this->setMiddle(cell, a, b, middle);
       }
@@ -272,42 +267,6 @@ private:
     return again;
   }
 
-  bool leavesTolerance(const PieceCorner& a, const PieceCorner& b)
-  {
-    const auto isShort = [&](int k) { return std::abs(a.At[k] - b.At[k]) < ShortestTested; };
-    if (isShort(0) && isShort(1) && isShort(2))
-    {
-      return false;
-    }
-    const Vector3 begin = this->Points.position(a.Point.Id);
-    const Vector3 along = this->Points.position(b.Point.Id) - begin;
-    const double length2 = dot(along, along);
-    for (const double t : TestedAt)
-    {
-      Vector3 at = scaled(1 - t, a.place());
-      tetmarch::add(t, b.place(), at);
-      this->Cell.evaluate(at, this->Place);
-      // Its value is compared with that of the nearest point of the straight edge.
-      Vector3 apart = this->Place.Position - begin;
-      const double share = length2 > 0 ? dot(apart, along) / length2 : t;
-      tetmarch::add(-share, along, apart);
-      if (std::sqrt(dot(apart, apart)) > this->Tolerance.Distance)
-      {
-        return true;
-      }
-      for (std::size_t c = 0; c < this->Tolerance.Values.size(); ++c)
-      {
-        const double straight = (1 - share) * this->Points.value(a.Point.Id, c) +
-                                share * this->Points.value(b.Point.Id, c);
-        if (std::abs(this->Place.Values[c] - straight) > this->Tolerance.Values[c])
-        {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
   void write(vtkIdType cell, const Piece& piece)
   {
     std::array<vtkIdType, 4> ids;
@@ -356,21 +315,6 @@ std::string errorOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
 }
 
 } // namespace
-
-CurvedTolerance toleranceOf(
-  vtkUnstructuredGrid* grid, vtkDataArray* scalars, double partOfDiagonal, double partOfRange)
-{
-  CurvedTolerance tolerance{ partOfDiagonal * grid->GetLength(), scalars, {} };
-  for (int c = 0; scalars && c < scalars->GetNumberOfComponents(); ++c)
-  {
-    double range[2];
-    scalars->GetFiniteRange(range, c);
-    const double greatest = std::max(std::abs(range[0]), std::abs(range[1]));
-    tolerance.Values.push_back(
-      std::max(partOfRange * (range[1] - range[0]), RoundingOfValues * greatest));
-  }
-  return tolerance;
-}
 
 std::string tessellate(vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance,
   const std::function<bool(double)>& progress, vtkUnstructuredGrid* output)

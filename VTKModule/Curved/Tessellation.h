@@ -4,11 +4,11 @@
 #ifndef TetMarchCurvedTessellation_h
 #define TetMarchCurvedTessellation_h
 
+#include "Curved/CurvedTolerance.h"
+
 #include <functional>
 #include <string>
-#include <vector>
 
-class vtkDataArray;
 class vtkUnstructuredGrid;
 
 namespace tetmarch
@@ -17,17 +17,6 @@ namespace tetmarch
 /** The name of an array of a tessellation: for each cell the id of the given cell that it comes
  * from. */
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
-
-struct CurvedTolerance
-{
-  double Distance;            // in units of coordinates
-  vtkDataArray* Scalars;      // of points, or null
-  std::vector<double> Values; // for each component of the scalars
-};
-
-/** These parts of the grid's diagonal, and of the range of each component of the scalars. */
-CurvedTolerance toleranceOf(
-  vtkUnstructuredGrid* grid, vtkDataArray* scalars, double partOfDiagonal, double partOfRange);
 
 /**
  * Each cell begins as tetrahedra between its corners, in its parametric coordinates. An edge that

@@ -3,24 +3,20 @@
 #include "Input/CellGridCells.h"
 
 #include "Input/CellGridField.h"
+#include "Input/NodalCell.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellGrid.h"
-#include "vtkCellType.h"
 #include "vtkDGCell.h"
 #include "vtkDoubleArray.h"
 #include "vtkFiltersCellGrid.h"
 #include "vtkIdTypeArray.h"
-#include "vtkLagrangeHexahedron.h"
-#include "vtkLagrangeTetra.h"
-#include "vtkLagrangeWedge.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStaticPointLocator.h"
-#include "vtkTriQuadraticPyramid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -35,96 +31,9 @@ namespace
 {
 
 using namespace vtk::literals;
-using Node = std::array<double, 3>;
 
 // In parts of the greatest coordinate: points that differ by rounding are as near.
 constexpr double Rounding = 1e-13;
-
-// A cell of VTK with nodes at these parametric coordinates of the cell grid.
-struct NodalCell
-{
-  int Type = VTK_EMPTY_CELL;
-  std::vector<Node> Nodes;
-};
-
-NodalCell linearCell(vtkDGCell* type)
-{
-  NodalCell cell;
-  for (int corner = 0; corner < type->GetNumberOfCorners(); ++corner)
-  {
-    cell.Nodes.push_back(type->GetCornerParameter(corner));
-  }
-  switch (type->GetShape())
-  {
-    case vtkDGCell::Tetrahedron:
-      cell.Type = VTK_TETRA;
-      break;
-    case vtkDGCell::Hexahedron:
-      cell.Type = VTK_HEXAHEDRON;
-      break;
-    case vtkDGCell::Wedge:
-      cell.Type = VTK_WEDGE;
-      break;
-    default:
-      cell.Type = VTK_PYRAMID;
-  }
-  return cell;
-}
-
-// The interval 0..1 of VTK's cells is -1..1 along the axes from `symmetric` on.
-std::vector<Node> nodesOf(vtkCell* cell, int count, int symmetric)
-{
-  std::vector<Node> nodes(static_cast<std::size_t>(count));
-  const double* at = cell->GetParametricCoords();
-  for (Node& node : nodes)
-  {
-    for (int axis = 0; axis < 3; ++axis, ++at)
-    {
-      node[axis] = axis < symmetric ? *at : 2 * *at - 1;
-    }
-  }
-  return nodes;
-}
-
-void setPoints(vtkCell* cell, int count)
-{
-  cell->Points->SetNumberOfPoints(count);
-  cell->PointIds->SetNumberOfIds(count);
-}
-
-NodalCell curvedCell(vtkDGCell* type, int order)
-{
-  const int n = order + 1;
-  switch (type->GetShape())
-  {
-    case vtkDGCell::Tetrahedron:
-    {
-      vtkNew<vtkLagrangeTetra> cell;
-      setPoints(cell, n * (n + 1) * (n + 2) / 6);
-      cell->Initialize();
-      return { VTK_LAGRANGE_TETRAHEDRON, nodesOf(cell, cell->GetNumberOfPoints(), 3) };
-    }
-    case vtkDGCell::Hexahedron:
-    {
-      vtkNew<vtkLagrangeHexahedron> cell;
-      setPoints(cell, n * n * n);
-      cell->SetUniformOrderFromNumPoints(cell->GetNumberOfPoints());
-      return { VTK_LAGRANGE_HEXAHEDRON, nodesOf(cell, cell->GetNumberOfPoints(), 0) };
-    }
-    case vtkDGCell::Wedge:
-    {
-      vtkNew<vtkLagrangeWedge> cell;
-      setPoints(cell, n * n * (n + 1) / 2);
-      cell->SetUniformOrderFromNumPoints(cell->GetNumberOfPoints());
-      return { VTK_LAGRANGE_WEDGE, nodesOf(cell, cell->GetNumberOfPoints(), 2) };
-    }
-    default:
-    {
-      vtkNew<vtkTriQuadraticPyramid> cell;
-      return { VTK_TRIQUADRATIC_PYRAMID, nodesOf(cell, cell->GetNumberOfPoints(), 0) };
-    }
-  }
-}
 
 // The cells of a type, and where they and their points begin.
 struct CellsOfType
@@ -174,9 +83,9 @@ public:
                ", but VTK has functions for order 2 at most.";
       }
       const CellsOfType* last = this->Types.empty() ? nullptr : &this->Types.back();
-      this->Types.push_back({ type, order > 1 ? curvedCell(type, order) : linearCell(type),
-        last ? last->FirstCell + last->count() : 0,
-        last ? last->FirstPoint + last->count() * last->nodes() : 0 });
+      this->Types.push_back(
+        { type, nodalCell(type, order), last ? last->FirstCell + last->count() : 0,
+          last ? last->FirstPoint + last->count() * last->nodes() : 0 });
       this->IsCurved = this->IsCurved || order > 1;
     }
     return {};
@@ -284,7 +193,8 @@ private:
       {
         return error;
       }
-      const std::vector<Node> first(cells.Cell.Nodes.begin(), cells.Cell.Nodes.begin() + 1);
+      const std::vector<NodalCell::Node> first(
+        cells.Cell.Nodes.begin(), cells.Cell.Nodes.begin() + 1);
       field.evaluate(inCells ? first : cells.Cell.Nodes,
         values->GetPointer(components * (inCells ? cells.FirstCell : cells.FirstPoint)));
     }

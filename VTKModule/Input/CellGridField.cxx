@@ -20,10 +20,7 @@ vtkCellAttribute::CellTypeInfo infoOf(vtkDGCell* type, vtkCellAttribute* attribu
   return attribute->GetCellTypeInfo(type->GetClassName());
 }
 
-bool isThere(const vtkCellAttribute::CellTypeInfo& info)
-{
-  return info.FunctionSpace.IsValid();
-}
+bool isThere(const vtkCellAttribute::CellTypeInfo& info) { return info.FunctionSpace.IsValid(); }
 
 } // namespace
 
