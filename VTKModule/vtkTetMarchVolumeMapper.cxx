@@ -158,13 +158,15 @@ double* vtkTetMarchVolumeMapper::GetOwnBounds()
 int vtkTetMarchVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  std::vector<const char*> types = tetmarch::typesOfMadeGrids();
-  types.insert(types.end(),
-    { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" });
-  for (const char* type : types)
+  // Without memory of its own: VTK calls it from wherever it needs the ports.
+  const auto append = [info](const char* type)
+  { info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type); };
+  for (const char* type :
+    { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" })
   {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+    append(type);
   }
+  tetmarch::forEachTypeOfMadeGrids(append);
   return 1;
 }
 

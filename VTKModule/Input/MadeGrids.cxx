@@ -43,14 +43,12 @@ const Kind* kindOf(vtkDataObject* data)
 
 bool isGridMadeOf(vtkDataObject* data) { return kindOf(data) != nullptr; }
 
-std::vector<const char*> typesOfMadeGrids()
+void forEachTypeOfMadeGrids(const std::function<void(const char*)>& callback)
 {
-  std::vector<const char*> types;
   for (const Kind& kind : Kinds)
   {
-    types.push_back(kind.Type);
+    callback(kind.Type);
   }
-  return types;
 }
 
 MadeGrids::MadeGrid MadeGrids::gridOf(vtkDataObject* data, std::string& error)

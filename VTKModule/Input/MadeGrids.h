@@ -9,9 +9,9 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <map>
 #include <string>
-#include <vector>
 
 class vtkDataObject;
 class vtkUnstructuredGrid;
@@ -23,8 +23,8 @@ namespace tetmarch
  * has these. */
 bool isGridMadeOf(vtkDataObject* data);
 
-/** The names of these classes. */
-std::vector<const char*> typesOfMadeGrids();
+/** Calls back with the names of these classes. */
+void forEachTypeOfMadeGrids(const std::function<void(const char*)>& callback);
 
 class MadeGrids
 {
