@@ -52,7 +52,7 @@ def curvilinear(data):
 
 def gets_a_grid(data):
     """Whether mappers make a grid of this, which is no vtkDataSet. VTK 9.1 has no vtkCellGrid."""
-    return data.IsA("vtkHyperTreeGrid") or data.IsA("vtkCellGrid")
+    return isinstance(data, vtkDataObject) and (data.IsA("vtkHyperTreeGrid") or data.IsA("vtkCellGrid"))
 
 
 def leaves_of(tree):
