@@ -3,10 +3,10 @@
 """What the accuracy of curved cells costs: measure_curved.py FOLDER [--cells N] [--frames N]
 
 A quarter of a ring in N x N x N VTK_QUADRATIC_HEXAHEDRON (6), which bend in two ways, drawn by linear pieces between
-their points, within tolerances of the mapper, and cut by vtkTessellatorFilter: within the same tolerances (its points
-merged), and evenly, as often as ParaView's Nonlinear Subdivision Level says (0 to 4). It writes FOLDER/curved.md and
-curved.png: tetrahedra, bytes on the GPU, seconds of the first frame, with cutting, and of another, and the difference
-from the picture for a tolerance of a fourth of the smallest one.
+their points, within tolerances of the mapper, also with points of each cell's own, and cut by vtkTessellatorFilter:
+within the same tolerances (its points merged), and evenly, as often as ParaView's Nonlinear Subdivision Level says (0
+to 4). It writes FOLDER/curved.md and curved.png: tetrahedra, bytes on the GPU, seconds of the first frame, with
+cutting, and of another, and the difference from the picture for a tolerance of a fourth of the smallest one.
 """
 import time
 
@@ -16,7 +16,7 @@ from accuracy_charts import add_legend, plt, save
 from measure_pixels import picture_of
 from measured_page import grid_options, row
 from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves, median_seconds
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtktetmarch import vtkTetMarchVolumeMapper
 
 TOLERANCES = (1.6e-2, 4e-3, 1e-3)  # of the diagonal, and of the range of the scalars
@@ -24,7 +24,9 @@ TRUE = TOLERANCES[-1] / 4
 LEVELS = range(5)
 LINEAR = "linear pieces between the points"
 OURS, VTKS, EVEN = "GeometryTolerance", "vtkTessellatorFilter, error", "vtkTessellatorFilter, subdivisions"
-STYLES = {LINEAR: ("#7f7f7f", "D"), OURS: ("#d62728", "o"), VTKS: ("#1f77b4", "s"), EVEN: ("#2ca02c", "^")}
+OWN = "the same, each cell with points of its own,"
+STYLES = {LINEAR: ("#7f7f7f", "D"), OURS: ("#d62728", "o"), OWN: ("#ff7f0e", "x"), VTKS: ("#1f77b4", "s"),
+          EVEN: ("#2ca02c", "^")}
 # In steps of half a cell: the corners, then the middles of the edges, in the order of VTK.
 NODES = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2),
          (1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
@@ -48,6 +50,21 @@ def ring(cells):
     values.SetName("waves")
     grid.GetPointData().SetScalars(values)
     return grid
+
+
+def with_own_points(grid):
+    """As deal.II and MFEM write cells."""
+    ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    separate = vtk.vtkUnstructuredGrid()
+    separate.SetPoints(vtk.vtkPoints())
+    separate.GetPoints().SetData(numpy_to_vtk(vtk_to_numpy(grid.GetPoints().GetData())[ids], deep=True))
+    for cell in range(grid.GetNumberOfCells()):
+        separate.InsertNextCell(vtk.VTK_QUADRATIC_HEXAHEDRON, len(NODES),
+                                range(len(NODES) * cell, len(NODES) * (cell + 1)))
+    values = numpy_to_vtk(vtk_to_numpy(grid.GetPointData().GetScalars())[ids], deep=True)
+    values.SetName("waves")
+    separate.GetPointData().SetScalars(values)
+    return separate
 
 
 def cut_by_vtk(grid, tolerance, most):
@@ -91,6 +108,7 @@ def ways_of(grid, size):
     ways = {(LINEAR, ""): CurvedFrames(grid, size)}
     for tolerance in TOLERANCES:
         ways[OURS, f"{tolerance:g}"] = CurvedFrames(grid, size, tolerance)
+        ways[OWN, f"{tolerance:g}"] = CurvedFrames(with_own_points(grid), size, tolerance)
         ways[VTKS, f"{tolerance:g}"] = CurvedFrames(grid, size, cut=cut_by_vtk(grid, tolerance, 8))
     for level in LEVELS:
         ways[EVEN, f"{level}"] = CurvedFrames(grid, size, cut=cut_by_vtk(grid, 1e-9, level))
