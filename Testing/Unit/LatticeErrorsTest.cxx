@@ -5,6 +5,7 @@
 
 #include "vtkUniformGrid.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <cmath>
 #include <limits>
@@ -98,6 +99,9 @@ TEST(LatticeErrors, CoordinatesOutOfOrderAreRefused)
 // 2^32 - 1 = 3 x 5 x 17 x 257 x 65537.
 TEST(LatticeErrors, CellsHaveNumbersOf32Bits)
 {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  GTEST_SKIP() << "This VTK takes all memory for the points of such an image.";
+#endif
   const LatticeCase points{ false, Interpolation::Linear };
   const LatticeCase centers{ true, Interpolation::Linear };
   EXPECT_EQ(errorOf(imageOf(65538, 65536, 2), points), "");
