@@ -17,9 +17,13 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkColorTransferFunction, vtkCompositeDataDisplayAttributes, vtkDataSetMapper, vtkLight, vtkLightKit,
     vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter)
-from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2
 
 from vtktetmarch.vtkRenderingTetMarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchWebExporter
+
+try:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
+except ImportError:  # VTK 9.6
+    from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
 
 
 def made(source):
@@ -98,7 +102,7 @@ def add_scalars(renderer):
         blocks.SetBlock(i, ball(Center=(1.5 + i, 1.5, 0)))
     attributes = vtkCompositeDataDisplayAttributes()
     attributes.SetBlockColor(blocks.GetBlock(1), (1, 0, 1))
-    of_blocks = add(renderer, blocks, (0, 0, 0), vtkCompositePolyDataMapper2).GetMapper()
+    of_blocks = add(renderer, blocks, (0, 0, 0), CompositeMapper).GetMapper()
     of_blocks.SetCompositeDataDisplayAttributes(attributes)
 
 
