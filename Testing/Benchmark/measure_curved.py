@@ -143,7 +143,7 @@ def draw(found, folder):
     for axes, column, label in zip(both, (2, 1), ("first frame, s", "bytes on the GPU")):
         for family, (color, marker) in STYLES.items():
             points = [(values[column], values[4]) for (of, _), values in found.items() if of == family]
-            axes.plot(*zip(*points), label=family, color=color, marker=marker)
+            axes.plot(*zip(*points), label=family.rstrip(","), color=color, marker=marker)
         axes.set(xscale="log", yscale="log", xlabel=label)
     both[0].set_ylabel("RMS error")
     add_legend(figure, both[0], 2)
