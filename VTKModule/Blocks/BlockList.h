@@ -29,8 +29,8 @@ struct Block
 /** The data sets of the tree except surfaces (vtkPolyData), in the order of the tree. */
 std::vector<Block> listBlocks(vtkDataObject* input, const ScalarSelection& selection);
 
-/** Chooses the array of that name of points in place of cells, or the other way, if the block has no
- * other. */
+/** Chooses the array of that name of points in place of cells, or the other way, if the block has
+ * no other. */
 void chooseOfEither(Block& block, ScalarSelection selection);
 
 /** The box of the points of these blocks; not initialised if there are none. */
