@@ -31,7 +31,7 @@ def is_drawn(wanted, captured):
 
 
 def missing_variants(texts, captures, numbers):
-    """Those of the numbered variants of which no text, be it the portable or the extended one, was compiled."""
+    """Those of the numbered variants that were not drawn: no text of theirs was compiled."""
     captured = captured_shaders(captures)
     return [number for number in numbers
             if not any(is_drawn(lines_of(text.read_text()), captured) for text in texts.glob(f"{number}-*.frag"))]

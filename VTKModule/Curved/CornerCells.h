@@ -20,8 +20,7 @@ public:
   /** After the last corner was added. */
   void sort() { std::sort(this->Corners.begin(), this->Corners.end()); }
 
-  /** Calls back with each cell that has corners at all of these places, of which there is one at
-   * least. */
+  /** Calls back with each cell that has corners at all of these places. There must be a place. */
   template <typename Callback>
   void forEach(const std::vector<std::uint32_t>& places, const Callback& callback) const
   {
