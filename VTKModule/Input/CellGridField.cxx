@@ -36,11 +36,13 @@ FieldKind fieldKind(vtkDGCell* type, vtkCellAttribute* attribute)
 
 int polynomialOrder(vtkDGCell* type, vtkCellAttribute* attribute)
 {
-  if (fieldKind(type, attribute) != FieldKind::Nodal)
+  const auto info = infoOf(type, attribute);
+  // What VTK doesn't know is an error of read(), whatever order it claims to have.
+  if (fieldKind(type, attribute) != FieldKind::Nodal ||
+      !type->GetOperatorEntry("Basis"_token, info))
   {
     return 0;
   }
-  const auto info = infoOf(type, attribute);
   if (info.Basis == "F"_token && info.Order == 2) // with functions that vanish on edges
   {
     return type->GetShape() == vtkDGCell::Tetrahedron ? 4
