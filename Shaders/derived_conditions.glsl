@@ -7,6 +7,7 @@
 // Structured volumes.
 #define TETMARCH_BENT (TETMARCH_STRUCTURED && TETMARCH_POINT_SCALARS)
 #define TETMARCH_GATHERS (TETMARCH_BENT && TETMARCH_HAS_GATHER)
+#define TETMARCH_LEAF_CELLS (TETMARCH_OCTREE && TETMARCH_STRUCTURED && !TETMARCH_POINT_SCALARS)
 
 // The step from tetrahedron to tetrahedron: the software renderer waits less for the next one if it reads it early. On a
 // GPU this would take registers.

@@ -75,6 +75,8 @@ float largerOf(float a, float b)
 #endif
 #if TETMARCH_STRUCTURED
 #define LEAP_SHIFT 2 // a block has 1 << 2 cells along each side; Structured/EmptySpace.h
+#define OCTREE_NUMBER_BITS 27 // Structured/Octree.h
+#define OCTREE_ROW_SHIFT 10
 #else
 #define PROJECTION_SCALE 65536.0
 #define PROJECTION_FLUSH 9.094947e-13 // 2^-40

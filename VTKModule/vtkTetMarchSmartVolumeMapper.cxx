@@ -130,7 +130,12 @@ vtkTetMarchFrameStatistics* vtkTetMarchSmartVolumeMapper::GetLastFrameStatistics
 //------------------------------------------------------------------------------
 void vtkTetMarchSmartVolumeMapper::Internals::recordStatistics()
 {
-  tetmarch::recordStructured(this->Blocks, this->State.Statistics);
+  std::vector<const tetmarch::StructuredBlock*> blocks;
+  for (const auto& block : this->Blocks.all())
+  {
+    blocks.push_back(block.get());
+  }
+  tetmarch::recordStructured(blocks, this->State.Statistics);
   tetmarch::recordAccuracy(this->State.Accuracy, this->State.Statistics);
 }
 

@@ -270,11 +270,12 @@ std::string vtkTetMarchSmartVolumeMapper::DrawBlocks(
   {
     const std::uint64_t bytes = internal.bytesFor(*block, mostBytes);
     renderer->GetSelector() ? block->Pipeline.beginPick(bytes) : block->Pipeline.begin(bytes);
-    const tetmarch::DrawnData drawn{ { block->Data, {}, interpolationOf(volume->GetProperty()) },
-      block->Scalars, vectorOptionsOf(this, volume->GetProperty()), blend,
-      tetmarch::clippingOptionsOf(this),
+    const tetmarch::DrawnData drawn{
+      { block->Data, {}, interpolationOf(volume->GetProperty()), nullptr }, block->Scalars,
+      vectorOptionsOf(this, volume->GetProperty()), blend, tetmarch::clippingOptionsOf(this),
       { this->FindSampleDistance(block->Data, adjusts ? frame.rayDistance() : 0.0),
-        this->UseJittering != 0 } };
+        this->UseJittering != 0 }
+    };
     const tetmarch::StageResult result = frame.prepare(block->Pipeline, drawn);
     if (result.isDone())
     {

@@ -44,7 +44,8 @@ vtkTetMarchVolumeMapper::vtkTetMarchVolumeMapper()
 //------------------------------------------------------------------------------
 vtkTetMarchVolumeMapper::~vtkTetMarchVolumeMapper()
 {
-  this->vtkTetMarchVolumeMapper::ReleaseGraphicsResources(this->Internal->Pipeline.window());
+  this->vtkTetMarchVolumeMapper::ReleaseGraphicsResources(this->Internal->OfTets.window());
+  this->Internal->OfLeaves.Pipeline.releaseWhereHeld();
 }
 
 //------------------------------------------------------------------------------
@@ -81,15 +82,20 @@ std::string vtkTetMarchVolumeMapper::RenderInput(
   const bool selecting = renderer->GetSelector() != nullptr;
   internal.State.begin(selecting);
   const auto mostBytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
-  selecting ? internal.Pipeline.beginPick(mostBytes) : internal.Pipeline.begin(mostBytes);
+  for (tetmarch::Pipeline* pipeline : { &internal.OfTets, &internal.OfLeaves.Pipeline })
+  {
+    selecting ? pipeline->beginPick(mostBytes) : pipeline->begin(mostBytes);
+  }
   std::string error;
-  vtkPointSet* grid = this->FindGrid(error);
+  vtkDataSet* grid = this->FindGrid(error);
+  internal.dropOthers();
+  window->MakeCurrent();
   return grid || internal.isShared() ? this->RenderGrid(grid, error, window, renderer, volume)
                                      : error;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkTetMarchVolumeMapper::RenderGrid(vtkPointSet* grid, std::string found,
+std::string vtkTetMarchVolumeMapper::RenderGrid(vtkDataSet* grid, std::string found,
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
 {
   Internals& internal = *this->Internal;
@@ -107,14 +113,14 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkPointSet* grid, std::string f
   tetmarch::StageResult result{ found, !grid };
   if (distributed)
   {
-    result = frame.prepareDistributed(
-      internal.Tets, internal.Pipeline, drawn, found, internal.Distributed);
+    result =
+      frame.prepareDistributed(internal.Tets, internal.OfTets, drawn, found, internal.Distributed);
   }
   else if (result.isDone())
   {
-    result = frame.prepare(internal.Pipeline, drawn);
+    result = frame.prepare(internal.pipeline(), drawn);
   }
-  result = result.then([&] { return frame.draw(internal.Pipeline, internal.origins()); });
+  result = result.then([&] { return frame.draw(internal.pipeline(), internal.origins()); });
   const std::string unrecorded = tetmarch::guardedRecords([&] { frame.end(this->TimeToDraw); });
   return result.Error.empty() ? unrecorded : result.Error;
 }
@@ -122,11 +128,28 @@ std::string vtkTetMarchVolumeMapper::RenderGrid(vtkPointSet* grid, std::string f
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::Internals::recordStatistics()
 {
-  tetmarch::recordBlocks(this->Blocks, this->State.Statistics);
-  tetmarch::recordPipeline(this->Pipeline, this->State.Statistics);
+  tetmarch::recordBlocks(this->Blocks, this->Leaves, this->State.Statistics);
   tetmarch::recordTetrahedra(this->Tets, this->Textures, this->State.Statistics);
+  this->drawsLeaves() ? tetmarch::recordStructured({ &this->OfLeaves }, this->State.Statistics)
+                      : tetmarch::recordPipeline(this->OfTets, this->State.Statistics);
   tetmarch::recordShared(this->Distributed.Shared, this->State.Statistics);
   tetmarch::recordAccuracy(this->State.Accuracy, this->State.Statistics);
+}
+
+//------------------------------------------------------------------------------
+void vtkTetMarchVolumeMapper::Internals::dropOthers()
+{
+  const tetmarch::VolumeInput nothing{ this->NoCells };
+  if (!this->drawsLeaves() && !this->OfLeaves.Volume.isEmpty())
+  {
+    this->OfLeaves.Pipeline.releaseWhereHeld();
+    this->OfLeaves.Volume.updateGeometry({}, {}, {});
+  }
+  if (this->drawsLeaves() && !this->Tets.isEmpty())
+  {
+    this->OfTets.releaseWhereHeld();
+    this->Tets.updateGeometry(nothing, {}, {});
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -194,12 +217,26 @@ vtkLookupTable* vtkTetMarchVolumeMapper::GetViewLookupTable()
 }
 
 //------------------------------------------------------------------------------
-vtkPointSet* vtkTetMarchVolumeMapper::FindGrid(
+vtkDataSet* vtkTetMarchVolumeMapper::FindGrid(
   std::string& error, const std::function<bool(double)>& progress)
 {
   vtkDataObject* input = this->GetDataObjectInput();
   vtkPointSet* grid = vtkUnstructuredGrid::SafeDownCast(input);
   tetmarch::JoinedBlocks& blocks = this->Internal->Blocks;
+  tetmarch::LeafGrid& leaves = this->Internal->Leaves;
+  if (this->Internal->isShared())
+  {
+    leaves.clear();
+  }
+  else
+  {
+    leaves.update(input, tetmarch::selectionOf(this));
+  }
+  if (this->Internal->drawsLeaves())
+  {
+    blocks.clear();
+    return leaves.values();
+  }
   auto* curvilinear = vtkStructuredGrid::SafeDownCast(input);
   if (curvilinear && !this->Internal->isShared())
   {
@@ -250,7 +287,8 @@ bool vtkTetMarchVolumeMapper::Report(const std::string& error)
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internal->Pipeline.releaseIfHeldBy(window);
+  this->Internal->OfTets.releaseIfHeldBy(window);
+  this->Internal->OfLeaves.Pipeline.releaseIfHeldBy(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

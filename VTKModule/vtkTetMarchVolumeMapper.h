@@ -36,8 +36,9 @@
  * blocks (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
  * vtkOverlappingAMR, vtkNonOverlappingAMR; by SetInputConnection() or SetInputDataObject()). Of an
  * adaptive mesh the finest cells are drawn; those of a vtkHyperTreeGrid are its leaves, numbered in
- * their order, and those of a vtkCellGrid its three-dimensional ones, type by type in the order of
- * their names; its nodal fields are arrays of points or of cells, as one asks. Blocks are joined
+ * their order. If they are not in blocks of another tree, have values of cells and differ in width
+ * by powers of two, rays march through an octree of them, without tetrahedra. Of a vtkCellGrid the
+ * cells in three dimensions are drawn, type by type in the order of their names; its nodal fields are arrays of points or of cells, as one asks. Blocks are joined
  * into one grid, so that rays continue from one block to the next. They may be any data sets with
  * 3D cells, also images and rectilinear grids, whose cells are decomposed into tetrahedra. Points
  * of different blocks are identified by global point ids if all blocks have them, else by equal
@@ -477,9 +478,9 @@ private:
 
   class Internals;
 
-  vtkPointSet* FindGrid(std::string& error, const std::function<bool(double)>& progress = {});
+  vtkDataSet* FindGrid(std::string& error, const std::function<bool(double)>& progress = {});
   std::string RenderInput(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
-  std::string RenderGrid(vtkPointSet* grid, std::string found, vtkOpenGLRenderWindow* window,
+  std::string RenderGrid(vtkDataSet* grid, std::string found, vtkOpenGLRenderWindow* window,
     vtkRenderer* renderer, vtkVolume* volume);
   double* GetOwnBounds();
   bool Report(const std::string& error); // whether there is none

@@ -8,8 +8,10 @@
 #include "Blocks/OwnCells.h"
 #include "GL/Pipeline.h"
 #include "GL/TetTextures.h"
+#include "Leaves/LeafGrid.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/MapperState.h"
+#include "Mapper/StructuredBlocks.h"
 #include "Volume/TetVolume.h"
 
 #include "vtkTetMarchVolumeMapper.h"
@@ -30,20 +32,38 @@ public:
   /** The drawn data of a grid, which may be nullptr. If memory is lacking and there is no error
    * yet, this is the error. */
   tetmarch::DrawnData drawnOf(
-    vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid, std::string& error);
+    vtkTetMarchVolumeMapper* mapper, vtkDataSet* grid, std::string& error);
   /** The options of the mesh of this input without other processes: those of the last common
    * frame. */
   tetmarch::PieceOptions pieceAlone(vtkDataObject* input) const;
   /** Of the cells of drawnOf(). */
-  const tetmarch::CellOrigins& origins() const { return this->Own.origins(); }
+  const tetmarch::CellOrigins& origins() const
+  {
+    return this->drawsLeaves() ? this->Leaves.origins() : this->Own.origins();
+  }
   /** nullptr before they are known. */
   double* wholeBounds();
-  bool hasBlocks() { return this->Blocks.grid() != nullptr; }
+  bool hasBlocks() const { return this->Blocks.grid() || this->drawsLeaves(); }
+  /** Rays march through leaves, else through tetrahedra. */
+  bool drawsLeaves() const { return this->Leaves.places() != nullptr; }
+  tetmarch::Pipeline& pipeline()
+  {
+    return this->drawsLeaves() ? this->OfLeaves.Pipeline : this->OfTets;
+  }
+  tetmarch::MarchedVolume& marched()
+  {
+    return this->drawsLeaves() ? static_cast<tetmarch::MarchedVolume&>(this->OfLeaves.Volume)
+                               : this->Tets;
+  }
+  /** Free what is not drawn now. */
+  void dropOthers();
 
   tetmarch::MapperState State;
   tetmarch::TetVolume Tets;
   tetmarch::TetTextures Textures{ Tets };
-  tetmarch::Pipeline Pipeline{ Tets, Textures };
+  tetmarch::Pipeline OfTets{ Tets, Textures };
+  tetmarch::LeafGrid Leaves; // of an adaptive mesh
+  tetmarch::StructuredBlock OfLeaves;
   tetmarch::JoinedBlocks Blocks; // of composite input
   tetmarch::OwnCells Own;        // without ghosts
   tetmarch::GroupState Distributed;

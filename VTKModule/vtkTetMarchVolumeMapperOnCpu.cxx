@@ -26,15 +26,16 @@ bool vtkTetMarchVolumeMapper::PrepareMesh()
   this->GetInputAlgorithm(0, 0, port)->Update(port); // this one would tell progress of its own
   const tetmarch::Progress progress = tetmarch::beginProgressOf(this);
   std::string error;
-  vtkPointSet* grid = this->FindGrid(error, progress);
+  vtkDataSet* grid = this->FindGrid(error, progress);
   if (grid)
   {
     tetmarch::ResourceLimits limits; // what the GL can hold is checked by the frame
     limits.Bytes = static_cast<std::uint64_t>(this->GetMaxMemoryInBytes());
     const tetmarch::DrawnData drawn = internal.drawnOf(this, grid, error);
-    error = error.empty() ? internal.Tets.updateGeometry(drawn.Volume, limits, progress) : error;
+    error =
+      error.empty() ? internal.marched().updateGeometry(drawn.Volume, limits, progress) : error;
   }
-  return this->Report(error) && grid && !internal.Tets.isEmpty();
+  return this->Report(error) && grid && !internal.marched().isEmpty();
 }
 
 //------------------------------------------------------------------------------
@@ -43,7 +44,7 @@ bool vtkTetMarchVolumeMapper::RenderGroundTruth(
 {
   std::string error;
   const bool done = tetmarch::renderGroundTruth(
-    { this->Internal->Pipeline, volume, tetmarch::beginProgressOf(this), tolerance }, pixels,
+    { this->Internal->pipeline(), volume, tetmarch::beginProgressOf(this), tolerance }, pixels,
     error);
   return this->Report(error) && done;
 }
@@ -53,7 +54,7 @@ bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
 {
   std::string error;
   const bool done = tetmarch::compareWithGroundTruth(
-    { this->Internal->Pipeline, volume, tetmarch::beginProgressOf(this) },
+    { this->Internal->pipeline(), volume, tetmarch::beginProgressOf(this) },
     this->Internal->State.Statistics, error);
   return this->Report(error) && done;
 }
@@ -61,7 +62,7 @@ bool vtkTetMarchVolumeMapper::CompareWithGroundTruth(vtkVolume* volume)
 //------------------------------------------------------------------------------
 void vtkTetMarchVolumeMapper::GetDiagnosticPixels(vtkFloatArray* pixels) const
 {
-  tetmarch::copyDiagnosticPixels(this->Internal->Pipeline, pixels);
+  tetmarch::copyDiagnosticPixels(this->Internal->pipeline(), pixels);
 }
 
 //------------------------------------------------------------------------------
@@ -69,6 +70,6 @@ bool vtkTetMarchVolumeMapper::TraceRay(
   vtkVolume* volume, int x, int y, int arithmetic, vtkTable* cells)
 {
   Internals& internal = *this->Internal;
-  return this->Report(tetmarch::traceRay(internal.Pipeline, internal.State,
+  return this->Report(tetmarch::traceRay(internal.pipeline(), internal.State,
     { volume, x, y, arithmetic }, internal.origins(), internal.hasBlocks(), cells));
 }

@@ -20,10 +20,14 @@ tetmarch::PieceOptions vtkTetMarchVolumeMapper::Internals::pieceAlone(vtkDataObj
 
 //------------------------------------------------------------------------------
 tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
-  vtkTetMarchVolumeMapper* mapper, vtkPointSet* grid, std::string& error)
+  vtkTetMarchVolumeMapper* mapper, vtkDataSet* grid, std::string& error)
 {
   tetmarch::FoundScalars scalars;
-  if (grid)
+  if (this->drawsLeaves())
+  {
+    scalars = { this->Leaves.scalars(), true };
+  }
+  else if (grid)
   {
     scalars = this->hasBlocks()
                 ? tetmarch::FoundScalars{ this->Blocks.scalars(), this->Blocks.hasCellScalars() }
@@ -42,8 +46,9 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
   {
     this->Own = {};
   }
-  return { { data, this->pieceAlone(mapper->GetDataObjectInput()) }, scalars,
-    tetmarch::vectorOptionsOf(mapper), tetmarch::blendOptionsOf(mapper),
+  return { { data, this->pieceAlone(mapper->GetDataObjectInput()), tetmarch::Interpolation::Nearest,
+             this->Leaves.places() },
+    scalars, tetmarch::vectorOptionsOf(mapper), tetmarch::blendOptionsOf(mapper),
     tetmarch::clippingOptionsOf(mapper), {},
     this->isShared() ? this->Distributed.Whole : WholeRanges() };
 }

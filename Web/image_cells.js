@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of images and rectilinear grids: VTKModule/Volume/StructuredVolume.cxx, cellOf().
+// Cells of images and rectilinear grids, and leaves: VTKModule/Volume/StructuredVolume.cxx, cellOf().
 import {transformPoint, transpose} from "./matrices.js";
 
 /** data: a volume of the page; number: of a cell of the lattice in the shaders. */
 export function imageCellOf(data, number, point)
 {
+  if (data.features.includes("OCTREE"))
+  {
+    return number;
+  }
   const cells = data.uniforms.latticeCells.values;
   const {dataPlanes} = data; // of the data in lattice coordinates, if the lattice is another one
   const place = transformPoint(transpose(data.uniforms.latticeMatrix.values), point);

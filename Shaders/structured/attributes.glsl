@@ -22,6 +22,42 @@ real bilinear(vec4 values, vec3 place)
   return south + (north - south) * place.y;
 }
 #else
+#if TETMARCH_LEAF_CELLS
+// The scalar beside a leaf, and its distance from the middle of the leaf. A neighbour is the leaf at the given cell; what
+// is hidden, not finite or beyond the lattice has the leaf's own scalar.
+vec2 scalarBeside(int component, Leaf leaf, real own, ivec3 cell, bool inside)
+{
+  Leaf beside = leafAround(inside ? cell : leaf.low);
+  ivec3 value = valueOfLeaf(beside);
+  real scalar = finiteOr(fetchValueOf(component, value.x, value.y, value.z), own);
+#if TETMARCH_HIDDEN_CELLS
+  inside = inside && !(hasOctree() && isHidden(beside.number));
+#endif
+  return vec2(inside ? scalar : own, real(0.5) * real(leaf.width + beside.width));
+}
+
+real slopeBetween(vec2 low, vec2 high) { return (high.x - low.x) / (low.y + high.y); }
+
+// The difference between the scalars on both sides over their distance, in lattice coordinates. Planes are assumed to be
+// evenly spaced.
+vec3 latticeGradientOf(int component, ivec3 cell, vec3 place)
+{
+  Leaf leaf = leafAround(cell);
+  ivec3 value = valueOfLeaf(leaf);
+  real own = fetchValueOf(component, value.x, value.y, value.z);
+  ivec3 below = ivec3(leaf.low.x - 1, leaf.low.y - 1, leaf.low.z - 1);
+  ivec3 above = ivec3(leaf.low.x + leaf.width, leaf.low.y + leaf.width, leaf.low.z + leaf.width);
+  // In the middle of the leaf's faces.
+  ivec3 middle = ivec3(leaf.low.x + leaf.width / 2, leaf.low.y + leaf.width / 2, leaf.low.z + leaf.width / 2);
+  return vec3(
+    slopeBetween(scalarBeside(component, leaf, own, ivec3(below.x, middle.y, middle.z), below.x >= 0),
+      scalarBeside(component, leaf, own, ivec3(above.x, middle.y, middle.z), above.x < latticeCells.x)),
+    slopeBetween(scalarBeside(component, leaf, own, ivec3(middle.x, below.y, middle.z), below.y >= 0),
+      scalarBeside(component, leaf, own, ivec3(middle.x, above.y, middle.z), above.y < latticeCells.y)),
+    slopeBetween(scalarBeside(component, leaf, own, ivec3(middle.x, middle.y, below.z), below.z >= 0),
+      scalarBeside(component, leaf, own, ivec3(middle.x, middle.y, above.z), above.z < latticeCells.z)));
+}
+#else
 // Half of the difference between the values on both sides, in lattice coordinates; at the end of an axis, between one
 // side and the cell's own value. Planes are assumed to be evenly spaced.
 vec3 latticeGradientOf(int component, ivec3 cell, vec3 place)
@@ -36,6 +72,7 @@ vec3 latticeGradientOf(int component, ivec3 cell, vec3 place)
     finiteOr(fetchValueOf(component, i, j, k - 1), own));
   return (high - low) * real(0.5);
 }
+#endif
 #endif
 
 #if TETMARCH_CELL_GRADIENTS

@@ -1,4 +1,4 @@
-// The step from cell to cell of a lattice. A trilinear cell is crossed in up to three parts, and the scalar is
+// The step from cell to cell of a lattice, or from leaf to leaf of an octree. A trilinear cell is crossed in up to three parts, and the scalar is
 // monotonic in each part. With several components there are up to nine parts; each scalar with a table is monotonic in
 // each part.
 
@@ -21,6 +21,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
   return cell;
 }
 
+#if !TETMARCH_LEAF_CELLS
 // The cell behind the first plane that the ray crosses; for equal depths, the first axis.
 ivec3 nextCell(Ray ray, ivec3 cell, vec3 crossings)
 {
@@ -30,9 +31,10 @@ ivec3 nextCell(Ray ray, ivec3 cell, vec3 crossings)
   return ivec3(cell.x + (acrossX ? ray.steps.x : 0), cell.y + (acrossY ? ray.steps.y : 0),
     cell.z + (acrossZ ? ray.steps.z : 0));
 }
+#endif
 
-#if TETMARCH_LEAPS
-// The same for any planes. beside: the indices along the other axes.
+#if TETMARCH_LEAPS || TETMARCH_LEAF_CELLS
+// The cell behind the first of any planes that the ray crosses. beside: the indices along the other axes.
 ivec3 cellBehind(Ray ray, ivec3 plane, vec3 crossings, ivec3 beside)
 {
   bool acrossX = crossings.x <= crossings.y && crossings.x <= crossings.z;
@@ -43,18 +45,7 @@ ivec3 cellBehind(Ray ray, ivec3 plane, vec3 crossings, ivec3 beside)
     acrossZ ? (ray.steps.z > 0 ? plane.z : plane.z - 1) : beside.z);
 }
 
-ivec3 blockOf(ivec3 cell) { return ivec3(cell.x >> LEAP_SHIFT, cell.y >> LEAP_SHIFT, cell.z >> LEAP_SHIFT); }
-
-// The number of blocks by which the transparent cube extends beyond the given one; 0: there is no such cube.
-int leapOf(ivec3 block) { return fetchBlockDistance(block.x + blockCount.x * (block.y + blockCount.y * block.z)); }
-
-// The plane perpendicular to an axis through which a ray leaves the cube around a block.
-int cubeEnd(int block, int direction, int reach, int cells)
-{
-  return direction > 0 ? min((block + reach) << LEAP_SHIFT, cells) : max((block - reach + 1) << LEAP_SHIFT, 0);
-}
-
-// The landing cell of a ray that leaves the cube, along the other axes: between the cell of the leap's begin and the
+// The landing cell of a ray that leaves a cube of cells, along the other axes: between the cell where it was and the
 // cube's plane. If rounding yields a neighbour of the right cell, the ray leaves it before anything is gathered.
 int landingAlong(int cell, int from, int plane, int direction)
 {
@@ -66,6 +57,19 @@ ivec3 landingOf(Ray ray, real depth, ivec3 from, ivec3 plane)
   ivec3 cell = cellAround(ray.start + ray.slope * depth);
   return ivec3(landingAlong(cell.x, from.x, plane.x, ray.steps.x), landingAlong(cell.y, from.y, plane.y, ray.steps.y),
     landingAlong(cell.z, from.z, plane.z, ray.steps.z));
+}
+#endif
+
+#if TETMARCH_LEAPS
+ivec3 blockOf(ivec3 cell) { return ivec3(cell.x >> LEAP_SHIFT, cell.y >> LEAP_SHIFT, cell.z >> LEAP_SHIFT); }
+
+// The number of blocks by which the transparent cube extends beyond the given one; 0: there is no such cube.
+int leapOf(ivec3 block) { return fetchBlockDistance(block.x + blockCount.x * (block.y + blockCount.y * block.z)); }
+
+// The plane perpendicular to an axis through which a ray leaves the cube around a block.
+int cubeEnd(int block, int direction, int reach, int cells)
+{
+  return direction > 0 ? min((block + reach) << LEAP_SHIFT, cells) : max((block - reach + 1) << LEAP_SHIFT, 0);
 }
 
 // Before a cell in a transparent cube, the ray leaps out of the cube, unless it is within that cell. Returns whether it
@@ -128,6 +132,29 @@ void takeCell(RayPosition place, vec4 cubic, INOUT(CellInterval) cell)
 }
 #endif
 
+#if !TETMARCH_POINT_SCALARS
+// The whole cell, with the value of these indices.
+void takeConstantCell(RayPosition place, ivec3 value, INOUT(CellInterval) cell)
+{
+  cell.scalar = fetchValue(value.x, value.y, value.z);
+#if TETMARCH_COMPONENTS
+  cell.extra = fetchExtraValues(value.x, value.y, value.z);
+#endif
+  cell.enter = vec2(place.depth, cell.scalar);
+  cell.leave = vec2(place.leave, cell.scalar);
+}
+#endif
+
+#if TETMARCH_LEAF_CELLS
+// The ray enters the leaf ahead.
+void enterLeaf(Leaf leaf, real leave, INOUT(RayPosition) place, INOUT(CellInterval) cell)
+{
+  place.depth = place.leave;
+  place.leave = leave;
+  cell.number = leaf.number;
+  takeConstantCell(place, valueOfLeaf(leaf), cell);
+}
+#else
 // The ray enters the cell ahead.
 void enterCell(Ray ray, real leave, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
@@ -144,16 +171,11 @@ void enterCell(Ray ray, real leave, INOUT(RayPosition) place, INOUT(CellInterval
 #elif TETMARCH_POINT_SCALARS
   takeCell(place, cubicAlong(ray, place.cell, place.depth, place.leave), cell);
 #else
-  cell.scalar =
-    fetchValue(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
-#if TETMARCH_COMPONENTS
-  cell.extra =
-    fetchExtraValues(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
-#endif
-  cell.enter = vec2(place.depth, cell.scalar);
-  cell.leave = vec2(place.leave, cell.scalar);
+  ivec3 value = ivec3(place.cell.x + firstValue.x, place.cell.y + firstValue.y, place.cell.z + firstValue.z);
+  takeConstantCell(place, value, cell);
 #endif
 }
+#endif
 
 Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 {
@@ -168,9 +190,17 @@ Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 #if TETMARCH_EFFECTS || TETMARCH_LIT_COMPONENTS
   place.crossed = place.cell;
 #endif
+#if TETMARCH_LEAF_CELLS
+  Leaf leaf = leafAround(place.cell);
+  ivec3 ahead = planesAheadOf(ray, leaf);
+  vec3 crossings = crossingDepths(ray, ahead, NO_DEPTH);
+#else
   vec3 crossings = crossingDepths(ray, planesAhead(ray, place.cell), NO_DEPTH);
+#endif
   crossing.cells = isWithinCell(place) ? 0 : 1;
-#if TETMARCH_CELL_PARTS
+#if TETMARCH_LEAF_CELLS
+  enterLeaf(leaf, inside ? min(leastOf(crossings), place.end) : place.leave, place, cell);
+#elif TETMARCH_CELL_PARTS
   if (!isWithinCell(place))
   {
     enterCell(ray, inside ? min(leastOf(crossings), place.end) : place.leave, place, cell);
@@ -182,7 +212,11 @@ Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
   bool crossed = !isWithinCell(place);
   // The depth of the lattice's last plane is the same to the bit for each cell before it.
   crossing.onward = !crossed || place.leave < place.end;
+#if TETMARCH_LEAF_CELLS
+  ivec3 next = cellBehind(ray, ahead, crossings, landingOf(ray, place.leave, place.cell, ahead));
+#else
   ivec3 next = nextCell(ray, place.cell, crossings);
+#endif
   place.cell = crossing.onward && crossed ? next : place.cell;
   return crossing;
 }

@@ -101,7 +101,11 @@ ivec3 cellBehindDepth(Ray ray, real depth, ivec3 low, ivec3 high)
   return ivec3(clamp(cell.x, low.x, high.x), clamp(cell.y, low.y, high.y), clamp(cell.z, low.z, high.z));
 }
 
-uint numberOfCell(ivec3 cell)
+uint numberOfLatticeCell(ivec3 cell)
 {
   return uint(cell.x) + uint(latticeCells.x) * (uint(cell.y) + uint(latticeCells.y) * uint(cell.z));
 }
+
+#if !TETMARCH_LEAF_CELLS
+uint numberOfCell(ivec3 cell) { return numberOfLatticeCell(cell); }
+#endif

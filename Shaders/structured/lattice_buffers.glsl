@@ -145,6 +145,10 @@ uniform ivec3 blockCount;
 int fetchBlockDistance(int i) { return int(BUFFER_TEXEL(blockDistanceBuffer, i).x); }
 #endif
 
+#if TETMARCH_LEAF_CELLS
+#include "structured/octree_buffers.glsl"
+#endif
+
 #if TETMARCH_HIDDEN_CELLS
 uniform usamplerBuffer hiddenCellBuffer; // one bit per cell
 uint fetchHiddenCells(uint word) { return BUFFER_TEXEL(hiddenCellBuffer, int(word)).x; }

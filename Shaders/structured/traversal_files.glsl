@@ -7,6 +7,9 @@
 #include "march/hidden_cells.glsl"
 #endif
 #include "structured/lattice.glsl"
+#if TETMARCH_LEAF_CELLS
+#include "structured/octree.glsl"
+#endif
 #if TETMARCH_POINT_SAMPLED
 #include "structured/ray_samples.glsl"
 #endif

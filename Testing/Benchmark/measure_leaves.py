@@ -3,9 +3,10 @@
 """An adaptive mesh beside an image of its finest cells: measure_leaves.py FOLDER [--cells N] [--size WxH] [--frames N]
 
 Cells are refined twice around a shell; of the coarsest level there are N along each edge (32). Draws it by turns with
-values that are constant in each leaf and linear between leaves, and the function in all cells of the finest size by
-both of our and VTK's mappers of images. It writes FOLDER/leaves.md: seconds to the first frame and of a frame, bytes of
-our mappers on the GPU, and the difference from the picture of the function, in cells of a quarter of the finest size.
+values that are constant in each leaf, in an octree and in hexahedra, and linear between leaves, and the function in all
+cells of the finest size by our and VTK's mappers of images. It writes FOLDER/leaves.md: seconds to the first frame and
+of a frame, nanoseconds for a crossed cell, bytes of our mappers on the GPU, and the difference from the picture of the
+function, in cells of a quarter of the finest size.
 """
 import time
 
@@ -32,6 +33,16 @@ def constant(mesh, _image):
     return without_limits(mapper)
 
 
+def hexahedra(mesh, _image):
+    """In blocks of a tree, where cells below finer ones are marked."""
+    vtk.vtkAMRUtilities.BlankCells(mesh)
+    blocks = vtk.vtkMultiBlockDataSet()
+    for level in range(mesh.GetNumberOfLevels()):
+        for number in range(mesh.GetNumberOfDataSets(level)):
+            blocks.SetBlock(blocks.GetNumberOfBlocks(), mesh.GetDataSet(level, number))
+    return constant(blocks, None)
+
+
 def between_centers(mesh, _image):
     dual = vtkTetMarchDualGrid()
     dual.SetInputDataObject(mesh)
@@ -46,6 +57,10 @@ def our_image(_mesh, image):
     return without_limits(mapper)
 
 
+def constant_image(mesh, image):
+    return our_image(mesh, image)
+
+
 def image_of_vtk(_mesh, image):
     mapper = vtk.vtkOpenGLGPUVolumeRayCastMapper()
     mapper.SetInputData(image)
@@ -56,8 +71,10 @@ def image_of_vtk(_mesh, image):
 
 WAYS = {
     "constant in each leaf": constant,
+    "the same in hexahedra": hexahedra,
     "linear between leaves (vtkTetMarchDualGrid)": between_centers,
-    "the image of finest cells, trilinear": our_image,
+    "the image of finest cells, constant": constant_image,
+    "the same, trilinear": our_image,
     "the same by vtkOpenGLGPUVolumeRayCastMapper, two samples a cell": image_of_vtk,
 }
 
@@ -73,13 +90,24 @@ class LeafFrames(Frames):
         for scalar, opacity in ((0.0, 0.0), (0.2, 0.02), (1.0, 0.8)):
             opacities.AddPoint(scalar, opacity)
         self.use_functions(colors, opacities, 0.05)
-        self.volume.GetProperty().SetInterpolationTypeToLinear()
+        interpolation = vtk.VTK_NEAREST_INTERPOLATION if make is constant_image else vtk.VTK_LINEAR_INTERPOLATION
+        self.volume.GetProperty().SetInterpolationType(interpolation)
         self.camera.SetFocalPoint(0.5, 0.5, 0.5)
         self.camera.SetPosition(1.6, -1.9, 1.4)
         self.camera.SetViewUp(0, 0, 1)
         self.first_position = self.camera.GetPosition()
         self.seconds(0)
         self.first = time.perf_counter() - begin
+
+
+def crossed_cells(frames):
+    """Of a frame; None of another mapper."""
+    mapper = frames.volume.GetMapper()
+    if not hasattr(mapper, "CollectDiagnosticsOn"):
+        return None
+    mapper.CollectDiagnosticsOn()
+    frames.seconds(0)
+    return mapper.GetLastFrameStatistics().GetNumberOfCrossedCells()
 
 
 def measure(cells, size, rounds):
@@ -96,10 +124,11 @@ def measure(cells, size, rounds):
         mapper = each.volume.GetMapper()
         ours = hasattr(mapper, "GetLastFrameStatistics")
         bytes_of_gpu = mapper.GetLastFrameStatistics().GetGPUMemoryBytes() / leaves if ours else 0
+        crossed = crossed_cells(each)
         text += row([name, f"{each.first:.2f}", f"{medians[name]:.3f}",
-                     f"{bytes_of_gpu:.0f}" if ours else "", f"{errors[name]:.1e}"])
+                     f"{1e9 * medians[name] / crossed:.1f}" if crossed else "", f"{bytes_of_gpu:.0f}" if ours else "", f"{errors[name]:.1e}"])
     return f"{leaves:,} leaves; the image has {finest}^3 cells\n\n" + row(
-        ["drawn", "first frame, s", "frame, s", "bytes a leaf", "RMS"]) + "|---|" + "---:|" * 4 + "\n" + text
+        ["drawn", "first frame, s", "frame, s", "a crossed cell, ns", "bytes a leaf", "RMS"]) + "|---|" + "---:|" * 5 + "\n" + text
 
 
 def main():

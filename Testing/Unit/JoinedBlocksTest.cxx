@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
@@ -103,6 +104,26 @@ TEST_F(Joined, ScalarsGoAlong)
     }
   }
   EXPECT_EQ(cell, this->Blocks.scalars()->GetNumberOfTuples());
+}
+
+TEST_F(Joined, TypesOfScalarsMayDiffer)
+{
+  const std::vector<Grid> cut = { tetTowards(-1.0, 0.25), tetTowards(1.0, 0.75) };
+  for (vtkDataSetAttributes* attributes :
+    std::initializer_list<vtkDataSetAttributes*>{ cut[1]->GetPointData(), cut[1]->GetCellData() })
+  {
+    const vtkSmartPointer<vtkDataArray> doubles = attributes->GetScalars();
+    vtkNew<vtkFloatArray> floats;
+    floats->DeepCopy(doubles);
+    attributes->SetScalars(floats);
+  }
+  for (const ScalarSelection& selection : { pointArray("f"), cellArray("c") })
+  {
+    this->join(cut, selection);
+    vtkDataArray* scalars = this->Blocks.scalars();
+    EXPECT_EQ(scalars->GetComponent(0, 0), 0.25);
+    EXPECT_EQ(scalars->GetComponent(scalars->GetNumberOfTuples() - 1, 0), 0.75);
+  }
 }
 
 TEST_F(Joined, GlobalIdsWinOverCoordinates)

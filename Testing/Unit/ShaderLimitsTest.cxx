@@ -57,6 +57,8 @@ TEST(ShaderLimits, AreTheSameInGlslAndCxx)
     { "BVH_STACK", MostHierarchyDepth },
     { "PICK_TOLERANCE", PickAccuracy.ErrorTolerance },
     { "LEAP_SHIFT", BlockShift },
+    { "OCTREE_NUMBER_BITS", OctreeNumberBits },
+    { "OCTREE_ROW_SHIFT", OctreeRowShift },
     { "LINK_OUTSIDE", LinkOutside },
     { "UNDRAWN_SCALAR", UndrawnScalar },
     { "NO_DEPTH", NoDepth },

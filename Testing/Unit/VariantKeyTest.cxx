@@ -156,6 +156,7 @@ TEST(VariantKey, LightAtVerticesIsExtinctionAlone)
     ASSERT_EQ(light.PointScalars, picture.PointScalars);
     ASSERT_EQ(light.Structured, picture.Structured);
     ASSERT_EQ(light.Rectilinear, picture.Rectilinear);
+    ASSERT_EQ(light.Octree, picture.Octree);
     ASSERT_EQ(light.Leaps, picture.Leaps);
     ASSERT_EQ(light.HasFma, picture.HasFma);
     ASSERT_EQ(light.SplitCells, picture.SplitCells);
@@ -202,7 +203,7 @@ TEST(VariantKey, PicksKnowNoLight)
     pick.VisiblePart = false;
     pick.Reentered = false;
     for (bool VariantKey::*same : { &VariantKey::Clipped, &VariantKey::Cropped,
-           &VariantKey::HiddenCells, &VariantKey::NanShown, &VariantKey::Leaps,
+           &VariantKey::HiddenCells, &VariantKey::NanShown, &VariantKey::Octree, &VariantKey::Leaps,
            &VariantKey::SplitCells, &VariantKey::Curvilinear, &VariantKey::CornerScalars })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);

@@ -82,6 +82,20 @@ vtkSmartPointer<vtkDataArray> makeValues(const std::vector<vtkDataArray*>& array
   return values;
 }
 
+// vtkDataArray::SetTuple() takes tuples of its own type alone.
+void copyTuple(vtkDataArray* from, vtkIdType tuple, vtkDataArray* to, vtkIdType at)
+{
+  if (from->GetDataType() == to->GetDataType())
+  {
+    to->SetTuple(at, tuple, from);
+    return;
+  }
+  for (int c = 0; c < to->GetNumberOfComponents(); ++c)
+  {
+    to->SetComponent(at, c, from->GetComponent(tuple, c));
+  }
+}
+
 vtkSmartPointer<vtkUnsignedCharArray> makeGhosts(vtkIdType tuples, unsigned char value)
 {
   auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -156,7 +170,7 @@ vtkSmartPointer<vtkDataArray> joinPointValues(
   {
     for (const vtkIdType p : blocks.Points[b].Own)
     {
-      values->SetTuple(blocks.Points[b].Joined[static_cast<std::size_t>(p)], p, arrays[b]);
+      copyTuple(arrays[b], p, values, blocks.Points[b].Joined[static_cast<std::size_t>(p)]);
     }
   }
   return values;
@@ -193,7 +207,7 @@ vtkSmartPointer<vtkDataArray> joinCellValues(
   {
     for (vtkIdType cell = 0; cell < blocks.Data[b]->GetNumberOfCells(); ++cell, ++next)
     {
-      values->SetTuple(next, cell, arrays[b]);
+      copyTuple(arrays[b], cell, values, next);
     }
   }
   return values;

@@ -7,10 +7,12 @@
 #include "Input/DataCheck.h"
 #include "Input/HigherOrderCheck.h"
 #include "Input/SolidCells.h"
+#include "Input/TreeCheck.h"
 #include "Scalars/DrawnScalars.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -258,6 +260,12 @@ std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& se
 void JoinedBlocks::findBounds(vtkDataObject* input, double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
+  auto* tree = vtkHyperTreeGrid::SafeDownCast(input);
+  if (tree && checkTree(tree).empty())
+  {
+    tree->GetBounds(bounds);
+    return;
+  }
   std::string error; // update() tells of it
   const std::string shortage = withinMemory("the leaves of trees",
     [&]

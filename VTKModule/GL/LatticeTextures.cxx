@@ -82,7 +82,9 @@ void bindLightNodes(vtkShaderProgram* program, const LightNodes& nodes)
 
 std::vector<BufferSize> LatticeTextures::bufferSizes() const
 {
-  return { { "hidden cells", this->Volume.hiddenCells().size(), sizeof(std::uint32_t) },
+  const Octree* tree = this->Volume.octree();
+  return { { "nodes of the octree", tree ? tree->Nodes.size() : 0, sizeof(std::uint32_t) },
+    { "hidden cells", this->Volume.hiddenCells().size(), sizeof(std::uint32_t) },
     { "blocks", this->Volume.emptySpace().Distances.size(), 1 } };
 }
 
@@ -91,6 +93,7 @@ bool LatticeTextures::isCurrent() const
   const StructuredVolume& volume = this->Volume;
   return this->ValuesThere.holds(volume.scalarsVersion()) &&
          this->Planes.isCurrent(!volume.lattice().isUniform(), volume.geometryVersion()) &&
+         this->Nodes.isCurrent(volume.octree() != nullptr, volume.geometryVersion()) &&
          this->Hidden.isCurrent(!volume.hiddenCells().empty(), volume.hiddenVersion()) &&
          this->Distances.isCurrent(volume.leaps(), volume.emptySpaceVersion());
 }
@@ -110,6 +113,12 @@ std::string LatticeTextures::upload(vtkOpenGLRenderWindow* window)
     {
       const std::vector<float> planes = planesOf(volume.lattice());
       return buffer.upload(window, TexelFormat::R32F, planes.data(), planes.size());
+    });
+  update(this->Nodes, volume.octree() != nullptr, volume.geometryVersion(),
+    [&](TextureBuffer& buffer)
+    {
+      const std::vector<std::uint32_t>& nodes = volume.octree()->Nodes;
+      return buffer.upload(window, TexelFormat::R32UI, nodes.data(), nodes.size());
     });
   const std::vector<std::uint32_t>& hidden = volume.hiddenCells();
   update(this->Hidden, !hidden.empty(), volume.hiddenVersion(),
@@ -199,6 +208,12 @@ void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key)
   setAffine(program, "latticeMatrix", lattice.FromNormalized);
   program->SetUniformi("mostSteps", mostStepsOf(lattice));
   bindLightNodes(program, this->Volume.lightNodes());
+  if (key.Octree)
+  {
+    this->Nodes.bind(program, "octreeBuffer");
+    program->SetUniformi("octreeShift", this->Volume.octree()->Shift);
+    setInts(program, "octreeSize", this->Volume.octree()->Size);
+  }
   if (key.Leaps)
   {
     this->Distances.bind(program, "blockDistanceBuffer");
@@ -213,7 +228,7 @@ void LatticeTextures::bind(vtkShaderProgram* program, const VariantKey& key)
 void LatticeTextures::unbind()
 {
   this->Values.unbind();
-  for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
+  for (VersionedBuffer* buffer : { &this->Planes, &this->Nodes, &this->Hidden, &this->Distances })
   {
     buffer->unbind();
   }
@@ -223,7 +238,7 @@ void LatticeTextures::release(vtkWindow* window)
 {
   this->Values.release(window);
   this->ValuesThere.forget();
-  for (VersionedBuffer* buffer : { &this->Planes, &this->Hidden, &this->Distances })
+  for (VersionedBuffer* buffer : { &this->Planes, &this->Nodes, &this->Hidden, &this->Distances })
   {
     buffer->release(window);
   }
@@ -231,13 +246,13 @@ void LatticeTextures::release(vtkWindow* window)
 
 std::size_t LatticeTextures::bytes() const
 {
-  return this->Values.bytes() + this->Planes.bytes() + this->Hidden.bytes() +
+  return this->Values.bytes() + this->Planes.bytes() + this->Nodes.bytes() + this->Hidden.bytes() +
          this->Distances.bytes();
 }
 
 std::int64_t LatticeTextures::uploadedBytes() const
 {
-  return this->ValuesThere.allBytes() + this->Planes.uploadedBytes() +
+  return this->ValuesThere.allBytes() + this->Planes.uploadedBytes() + this->Nodes.uploadedBytes() +
          this->Hidden.uploadedBytes() + this->Distances.uploadedBytes();
 }
 

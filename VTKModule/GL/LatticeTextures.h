@@ -25,7 +25,8 @@ public:
   /** The texture of values is no buffer; its sizes are checked where it is made. */
   std::vector<BufferSize> bufferSizes() const override;
   bool isCurrent() const override;
-  /** What is new of the values, of uneven planes, of hidden cells and of the empty space. */
+  /** What is new of the values, of uneven planes, of an octree, of hidden cells and of the empty
+   * space. */
   std::string upload(vtkOpenGLRenderWindow* window) override;
   void release(vtkWindow* window) override;
   std::size_t bytes() const override;
@@ -45,6 +46,7 @@ private:
   ValueTextures Values; // of the first scalar and of those drawn with it
   Uploaded ValuesThere;
   VersionedBuffer Planes;
+  VersionedBuffer Nodes;
   VersionedBuffer Hidden;
   VersionedBuffer Distances;
 };

@@ -139,12 +139,34 @@ void addCells(const Block& block, int number, const std::vector<bool>& refined,
 
 } // namespace
 
+bool hasLeaves(const Block& block)
+{
+  return vtkImageData::SafeDownCast(block.Data) && hasSolidCells(block.Data);
+}
+
+std::string listLeaves(
+  vtkUniformGridAMR* data, const std::vector<Block>& blocks, LeafList& list, LeafAxes& axes)
+{
+  std::array<BlockLattice, 3> lattices;
+  std::string error = findLattices(blocks, lattices);
+  if (error.empty())
+  {
+    const std::vector<std::vector<bool>> refined = refinedCells(data, blocks);
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+    {
+      addCells(blocks[b], static_cast<int>(b), refined.empty() ? std::vector<bool>() : refined[b],
+        lattices, list);
+    }
+    axes = { { lattices[0].axis(), lattices[1].axis(), lattices[2].axis() } };
+  }
+  return error;
+}
+
 std::string findLeaves(vtkUniformGridAMR* blocks, Leaves& leaves)
 {
   std::vector<Block> drawn = listBlocks(blocks, {});
-  drawn.erase(std::remove_if(drawn.begin(), drawn.end(),
-                [](const Block& block)
-                { return !vtkImageData::SafeDownCast(block.Data) || !hasSolidCells(block.Data); }),
+  drawn.erase(
+    std::remove_if(drawn.begin(), drawn.end(), [](const Block& b) { return !hasLeaves(b); }),
     drawn.end());
   if (drawn.empty())
   {
@@ -159,19 +181,12 @@ std::string findLeaves(vtkUniformGridAMR* blocks, Leaves& leaves)
       return "Block " + block.Name + ": " + error;
     }
   }
-  std::array<BlockLattice, 3> lattices;
-  std::string error = findLattices(drawn, lattices);
+  LeafList list;
+  LeafAxes axes;
+  std::string error = listLeaves(blocks, drawn, list, axes);
   if (error.empty())
   {
-    const std::vector<std::vector<bool>> refined = refinedCells(blocks, drawn);
-    LeafList list;
-    for (std::size_t b = 0; b < drawn.size(); ++b)
-    {
-      addCells(drawn[b], static_cast<int>(b), refined.empty() ? std::vector<bool>() : refined[b],
-        lattices, list);
-    }
-    leaves = list.made(
-      { { lattices[0].axis(), lattices[1].axis(), lattices[2].axis() } }, commonArrays(drawn));
+    leaves = list.made(std::move(axes), commonArrays(drawn));
     leaves.ActiveScalars = activeScalarsOf(drawn.front().Data->GetCellData());
   }
   return error;

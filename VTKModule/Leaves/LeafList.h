@@ -4,6 +4,7 @@
 #ifndef TetMarchLeavesLeafList_h
 #define TetMarchLeavesLeafList_h
 
+#include "Blocks/BlockList.h"
 #include "Leaves/Leaves.h"
 
 #include "vtkType.h"
@@ -22,19 +23,23 @@ namespace tetmarch
 class LeafList
 {
 public:
-  /** The values of a leaf are tuple `tuple` of the arrays of `source`. */
+  /** The values of a leaf: a tuple of the arrays of a source. */
+  struct Origin
+  {
+    int Source;
+    vtkIdType Tuple;
+  };
+
   void add(const Leaf& leaf, bool shown, int source, vtkIdType tuple);
+  const std::vector<Leaf>& shown() const { return this->Shown; }
+  /** Of the leaves that are shown. */
+  const std::vector<Origin>& origins() const { return this->Origins; }
   /** The leaves, with these arrays of each source: the same number for each, of equal component
    * counts; the result has the types of the first source. */
   Leaves made(
     std::array<LeafAxis, 3> axes, const std::vector<std::vector<vtkDataArray*>>& arrays) const;
 
 private:
-  struct Origin
-  {
-    int Source;
-    vtkIdType Tuple;
-  };
   std::vector<Leaf> Shown;
   std::vector<Origin> Origins; // of shown leaves
   std::vector<Leaf> Hidden;
@@ -47,6 +52,20 @@ std::string activeScalarsOf(vtkCellData* data);
 
 /** The largest lattice of leaves, in cells along an axis. */
 constexpr int MostLeafPlaces = 1 << 30;
+
+using LeafAxes = std::array<LeafAxis, 3>;
+
+//@{
+/** The leaves without values, and the axes of their lattice. Returns an empty string, or an error
+ * with its remedy. The blocks are those with cells in three dimensions, which must be sound; a tree
+ * is one source. */
+std::string listLeaves(
+  vtkUniformGridAMR* data, const std::vector<Block>& blocks, LeafList& list, LeafAxes& axes);
+std::string listLeaves(vtkHyperTreeGrid* tree, LeafList& list, LeafAxes& axes);
+//@}
+
+/** Whether the block is an image with cells in three dimensions. */
+bool hasLeaves(const Block& block);
 
 //@{
 /** Returns an empty string, or an error with its remedy. Blanked, masked and ghost cells are

@@ -22,8 +22,9 @@ namespace
 class TreeWalk
 {
 public:
-  explicit TreeWalk(vtkHyperTreeGrid* grid)
-    : Branches(static_cast<int>(grid->GetBranchFactor()))
+  TreeWalk(vtkHyperTreeGrid* grid, LeafList& found)
+    : Found(found)
+    , Branches(static_cast<int>(grid->GetBranchFactor()))
     , Ghosts(grid->GetGhostCells())
   {
   }
@@ -51,8 +52,6 @@ public:
     }
   }
 
-  LeafList Found;
-
 private:
   Leaf childOf(const Leaf& box, int child) const
   {
@@ -67,6 +66,7 @@ private:
     return made;
   }
 
+  LeafList& Found;
   int Branches;
   vtkUnsignedCharArray* Ghosts;
 };
@@ -116,11 +116,10 @@ std::string findAxis(vtkDataArray* coordinates, unsigned int points, LeafAxis& a
 
 } // namespace
 
-std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
+std::string listLeaves(vtkHyperTreeGrid* grid, LeafList& list, LeafAxes& axes)
 {
   std::string error = checkExtent(grid);
   error = error.empty() ? checkTree(grid) : error;
-  std::array<LeafAxis, 3> axes;
   const std::array<vtkDataArray*, 3> coordinates{ { grid->GetXCoordinates(),
     grid->GetYCoordinates(), grid->GetZCoordinates() } };
   const unsigned int* points = grid->GetDimensions();
@@ -133,7 +132,7 @@ std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
     return error;
   }
   const int width = static_cast<int>(std::lround(widthOfRoot(grid)));
-  TreeWalk walk(grid);
+  TreeWalk walk(grid, list);
   vtkNew<vtkHyperTreeGridNonOrientedCursor> cursor;
   for (vtkIdType root = 0; root < grid->GetMaxNumberOfTrees(); ++root)
   {
@@ -153,10 +152,22 @@ std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
     }
     else
     {
-      walk.Found.add(box, false, 0, 0);
+      list.add(box, false, 0, 0);
     }
   }
-  leaves = walk.Found.made(std::move(axes), { valueArraysOf(grid->GetCellData()) });
+  return {};
+}
+
+std::string findLeaves(vtkHyperTreeGrid* grid, Leaves& leaves)
+{
+  LeafList list;
+  LeafAxes axes;
+  std::string error = listLeaves(grid, list, axes);
+  if (!error.empty())
+  {
+    return error;
+  }
+  leaves = list.made(std::move(axes), { valueArraysOf(grid->GetCellData()) });
   leaves.ActiveScalars = activeScalarsOf(grid->GetCellData());
   return leaves.Shown == 0 ? "The tree has no leaf that is drawn." : std::string();
 }

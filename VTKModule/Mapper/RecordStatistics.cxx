@@ -6,6 +6,7 @@
 #include "Budget/AccuracyController.h"
 #include "GL/Pipeline.h"
 #include "GL/TetTextures.h"
+#include "Leaves/LeafGrid.h"
 #include "Mapper/StructuredBlocks.h"
 #include "Processes/SharedPicture.h"
 #include "Volume/TetVolume.h"
@@ -110,13 +111,14 @@ void recordPipeline(const Pipeline& pipeline, vtkTetMarchFrameStatistics* statis
   recordPipelines({ &pipeline }, statistics);
 }
 
-void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics* statistics)
+void recordStructured(
+  const std::vector<const StructuredBlock*>& blocks, vtkTetMarchFrameStatistics* statistics)
 {
   Pipelines pipelines;
   StageRecord lattices;
   StageRecord values;
   std::uint64_t cells = 0;
-  for (const auto& block : blocks.all())
+  for (const StructuredBlock* block : blocks)
   {
     pipelines.push_back(&block->Pipeline);
     const StructuredVolume& volume = block->Volume;
@@ -124,7 +126,7 @@ void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics
     lattices.Runs += volume.latticeRecord().Runs;
     values.Seconds += volume.valuesRecord().Seconds + volume.rangesRecord().Seconds;
     values.Runs += volume.valuesRecord().Runs;
-    cells += volume.lattice().numberOfCells();
+    cells += volume.numberOfCells();
   }
   recordPipelines(pipelines, statistics);
   statistics->SetMeshSeconds(lattices.Seconds);
@@ -156,14 +158,17 @@ void recordTetrahedra(
   statistics->SetVisiblePartBuilds(volume.visibleRecord().Runs);
   statistics->SetEntriesSeconds(textures.entriesRecord().Seconds);
   statistics->SetEntriesBuilds(textures.entriesRecord().Runs);
+  statistics->SetNumberOfLatticeCells(0);
   statistics->SetNumberOfTetrahedra(volume.mesh().numberOfTets());
   statistics->SetNumberOfBoundaryFaces(static_cast<vtkIdType>(volume.mesh().BoundaryFaces.size()));
 }
 
-void recordBlocks(const JoinedBlocks& blocks, vtkTetMarchFrameStatistics* statistics)
+void recordBlocks(
+  const JoinedBlocks& blocks, const LeafGrid& leaves, vtkTetMarchFrameStatistics* statistics)
 {
-  statistics->SetBlocksSeconds(blocks.record().Seconds);
-  statistics->SetBlocksBuilds(blocks.record().Runs);
+  const StageRecord& last = leaves.places() ? leaves.record() : blocks.record();
+  statistics->SetBlocksSeconds(last.Seconds);
+  statistics->SetBlocksBuilds(blocks.record().Runs + leaves.record().Runs);
 }
 
 void recordAccuracy(const AccuracyController& controller, vtkTetMarchFrameStatistics* statistics)

@@ -4,6 +4,8 @@
 #ifndef TetMarchMapperRecordStatistics_h
 #define TetMarchMapperRecordStatistics_h
 
+#include <vector>
+
 class vtkTetMarchFrameStatistics;
 
 namespace tetmarch
@@ -11,8 +13,9 @@ namespace tetmarch
 
 class AccuracyController;
 class JoinedBlocks;
+class LeafGrid;
 class Pipeline;
-class StructuredBlocks;
+struct StructuredBlock;
 class TetTextures;
 class TetVolume;
 struct SharedPicture;
@@ -25,12 +28,15 @@ void recordTetrahedra(
   const TetVolume& volume, const TetTextures& textures, vtkTetMarchFrameStatistics* statistics);
 
 /** The sums of both over the blocks. The lattice of cells counts as a mesh. */
-void recordStructured(const StructuredBlocks& blocks, vtkTetMarchFrameStatistics* statistics);
+void recordStructured(
+  const std::vector<const StructuredBlock*>& blocks, vtkTetMarchFrameStatistics* statistics);
 
 /** What drawing together with other processes took in the last frame. */
 void recordShared(const SharedPicture& shared, vtkTetMarchFrameStatistics* statistics);
 
-void recordBlocks(const JoinedBlocks& blocks, vtkTetMarchFrameStatistics* statistics);
+/** Of an adaptive mesh its leaves are made, else blocks are joined. */
+void recordBlocks(
+  const JoinedBlocks& blocks, const LeafGrid& leaves, vtkTetMarchFrameStatistics* statistics);
 
 void recordAccuracy(const AccuracyController& controller, vtkTetMarchFrameStatistics* statistics);
 

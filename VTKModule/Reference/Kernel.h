@@ -24,6 +24,7 @@
 #include "Structured/Lattice.h"
 #include "Structured/LightNodes.h"
 #include "Structured/MostSteps.h"
+#include "Structured/Octree.h"
 #include "Structured/StoredValues.h"
 #include "Variants/Features.h"
 #include "View/Clipping.h"

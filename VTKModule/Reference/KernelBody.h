@@ -86,6 +86,7 @@ void useScene(const Scene& scene)
 {
 #if TETMARCH_STRUCTURED
   useLattice(*scene.Cells, *scene.Values);
+  useOctree(scene.Tree);
 #if TETMARCH_POINT_SAMPLED
   useSamples(scene.Samples, scene.Cells->Frame);
 #endif
@@ -156,6 +157,8 @@ static constexpr bool TakesSamples = false;
 #define BVH_STACK MostHierarchyDepth
 #define PICK_TOLERANCE Real(PickAccuracy.ErrorTolerance)
 #define LEAP_SHIFT BlockShift
+#define OCTREE_NUMBER_BITS OctreeNumberBits
+#define OCTREE_ROW_SHIFT OctreeRowShift
 #define MOST_SHADOW_SOURCES LightUniforms::MostShadowSources
 
 #include "march/march_files.glsl"
@@ -200,6 +203,8 @@ static constexpr bool TakesSamples = false;
 #undef BVH_STACK
 #undef PICK_TOLERANCE
 #undef LEAP_SHIFT
+#undef OCTREE_NUMBER_BITS
+#undef OCTREE_ROW_SHIFT
 #undef MOST_SHADOW_SOURCES
 
 #undef TETMARCH_VARIANT

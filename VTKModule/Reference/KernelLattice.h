@@ -5,6 +5,8 @@
 const Lattice* Cells = nullptr;
 const StoredValues* Values = nullptr; // of the first scalar, then of those drawn with it
 
+const Octree* Tree = nullptr; // of constant cells, whose leaves are the cells
+
 const BlockDistances* Empty = nullptr;
 
 ivec3 latticeCells{ 0, 0, 0 };
@@ -17,6 +19,8 @@ std::array<Real, 12> latticeMatrix{};
 Real sampleStep = 1;
 Real samplesPerDepth = 1;
 ivec3 blockCount{ 0, 0, 0 };
+int octreeShift = 0;
+ivec3 octreeSize{ 0, 0, 0 };
 ivec3 lightNodes{ 0, 0, 0 };
 vec3 lightLow{ 0, 0, 0 };
 vec3 perLightStep{ 0, 0, 0 };
@@ -51,6 +55,9 @@ Real fetchPlane(int i) const
   return Real(Cells->Axes[axis].plane(i - first));
 }
 
+bool hasOctree() const { return Tree != nullptr; }
+uint fetchOctreeNode(int i) const { return Tree->Nodes[i]; }
+
 int fetchBlockDistance(int i) const { return Empty->Distances[i]; }
 
 /** For kernels that leap. */
@@ -58,6 +65,14 @@ void useEmptySpace(const BlockDistances& empty)
 {
   Empty = &empty;
   blockCount = ivec3(empty.Blocks[0], empty.Blocks[1], empty.Blocks[2]);
+}
+
+/** The leaves of the tree, which may be nullptr, are the cells. */
+void useOctree(const Octree* tree)
+{
+  Tree = tree;
+  octreeShift = tree ? tree->Shift : 0;
+  octreeSize = tree ? ivec3(tree->Size[0], tree->Size[1], tree->Size[2]) : ivec3(0, 0, 0);
 }
 
 /** For kernels that take samples. */

@@ -16,6 +16,7 @@
 #include "Reference/IncomingLight.h"
 #include "Scalars/ExtraScalars.h"
 #include "Structured/Lattice.h"
+#include "Structured/Octree.h"
 #include "Structured/StoredValues.h"
 #include "View/Clipping.h"
 #include "View/RaySamples.h"
@@ -35,6 +36,7 @@ struct ReferenceScene
 {
   const TetMesh* Mesh = nullptr;
   const Lattice* Cells = nullptr;       // takes the place of the mesh
+  const Octree* Tree = nullptr;         // the cells are its leaves
   const StoredValues* Values = nullptr; // one for each scalar that is drawn
   const std::vector<float>* CellScalars =
     nullptr; // one a tetrahedron, or nullptr: those of the vertices

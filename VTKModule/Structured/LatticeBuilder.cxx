@@ -100,8 +100,9 @@ std::string makeLattice(
         return wrong;
       }
     }
+    made.Axes[a].Values = lies.isOfLeaves() ? lies.ValuesOfLeaves[a] : made.Axes[a].Values;
   }
-  const std::string wrong = checkNumber(made);
+  const std::string wrong = lies.isOfLeaves() ? std::string() : checkNumber(made);
   if (!wrong.empty())
   {
     return wrong;

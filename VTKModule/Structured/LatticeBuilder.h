@@ -23,10 +23,15 @@ struct LatticeCase
 {
   bool OfCells = false; // values of the data's cells, else of its points
   Interpolation Between = Interpolation::Nearest;
+  /** Not 0: cells are parts of the leaves of an octree, whose values lie in an image with this many
+   * along its axes. */
+  std::array<int, 3> ValuesOfLeaves{};
 
+  bool isOfLeaves() const { return this->ValuesOfLeaves[0] > 0; }
   bool operator==(const LatticeCase& other) const
   {
-    return this->OfCells == other.OfCells && this->Between == other.Between;
+    return this->OfCells == other.OfCells && this->Between == other.Between &&
+           this->ValuesOfLeaves == other.ValuesOfLeaves;
   }
   /** Whether cells of the lattice extend between centres of the data's cells, and to the ends of
    * the axis; else they are the data's cells. */

@@ -25,7 +25,8 @@ int samplersOfLattice(const VariantKey& key)
 {
   const int ofComponents = key.Components == ComponentGroup::ColorAndOpacity ? 2 : 4;
   const int ofValues = key.Slabs ? (key.ManySlabs ? 8 : 2) : key.hasComponents() ? ofComponents : 1;
-  return ofValues + (key.Rectilinear ? 1 : 0) + (key.Leaps ? 1 : 0) + (key.HiddenCells ? 1 : 0);
+  return ofValues + (key.Rectilinear ? 1 : 0) + (key.Octree ? 1 : 0) + (key.Leaps ? 1 : 0) +
+         (key.HiddenCells ? 1 : 0);
 }
 
 // Shaders/light/..._buffers.glsl

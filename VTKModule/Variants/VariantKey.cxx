@@ -128,9 +128,10 @@ void VariantKey::dropWhatLatticesLack()
     this->Curvilinear = false;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
+  this->Octree = this->Octree && this->Structured && !this->PointScalars;
   this->Slabs = this->Slabs && this->Structured;
   // Extremes and sums need all cells on a ray. Surfaces between constant cells are in no cell.
-  this->Leaps = this->Leaps && this->Structured && !this->isKnownAtEnd() &&
+  this->Leaps = this->Leaps && this->Structured && !this->Octree && !this->isKnownAtEnd() &&
                 (this->isComposite() || this->PointScalars);
   // Volumes that are mostly transparent have transparent blocks.
   this->TransparentRanges = this->TransparentRanges && (this->Leaps || !this->Structured);
@@ -189,6 +190,7 @@ VariantKey VariantKey::ofVertexLight(bool reenters) const
   VariantKey key;
   key.Structured = this->Structured;
   key.Rectilinear = this->Rectilinear;
+  key.Octree = this->Octree;
   key.Slabs = this->Slabs;
   key.ManySlabs = this->ManySlabs;
   key.Leaps = this->Leaps;
@@ -214,6 +216,7 @@ VariantKey VariantKey::ofPick() const
 {
   VariantKey key = this->ofEntries();
   key.OpaqueDepth = true;
+  key.Octree = this->Octree;
   key.Leaps = this->Leaps;
   // Else there would be more samplers than a GL need have.
   key.VisiblePart = this->VisiblePart && !(this->SplitCells && this->CornerScalars);

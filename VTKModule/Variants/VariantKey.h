@@ -76,6 +76,7 @@ struct VariantKey
 
   bool Structured = false;   // cells of a lattice, else tetrahedra
   bool Rectilinear = false;  // planes are not evenly spaced
+  bool Octree = false;       // cells are leaves of an octree, each of one scalar
   bool Leaps = false;        // rays leap over transparent blocks of cells
   bool PointSampled = false; // the volume is sampled at even distances, not integrated
   bool Slabs = false;        // values are in several textures
@@ -150,7 +151,7 @@ struct VariantKey
      * value. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 49;
+  static constexpr int NumberOfFeatures = 50;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

@@ -7,6 +7,7 @@
 
 #include "Budget/ResourceLimits.h"
 #include "Entries/Outlines.h"
+#include "Leaves/LeafGrid.h"
 #include "Light/EffectSource.h"
 #include "Mesh/PieceOptions.h"
 #include "Parallel/Progress.h"
@@ -15,6 +16,7 @@
 
 #include "vtkType.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,8 @@ struct VolumeInput
   vtkDataSet* Data = nullptr;
   PieceOptions Piece{};                           // of a mesh
   Interpolation Between = Interpolation::Nearest; // of the values of a lattice
+  /** Not null: the cells of the data are these leaves (Leaves/LeafGrid.h). */
+  std::shared_ptr<const LeafPlaces> Leaves = nullptr;
   /** Scalars of a mesh may jump between its cells; else points with different scalars are separate.
    */
   bool TakesCorners = false;

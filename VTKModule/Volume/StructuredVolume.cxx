@@ -10,6 +10,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 
 #include <algorithm>
 #include <iterator>
@@ -48,7 +49,14 @@ std::string StructuredVolume::updateGeometry(
   const std::string shortage = withinMemory("the coordinates of the grid",
     [&]
     {
-      wrong = readGeometry(data, geometry);
+      if (input.Leaves)
+      {
+        geometry = input.Leaves->Geometry;
+      }
+      else
+      {
+        wrong = readGeometry(data, geometry);
+      }
       if (wrong.empty() && !geometry.isEmpty() && !(geometry == this->Geometry))
       {
         wrong = findFrame(geometry, framed);
@@ -59,8 +67,9 @@ std::string StructuredVolume::updateGeometry(
   {
     geometry = {};
   }
-  if (!(geometry == this->Geometry))
+  if (!(geometry == this->Geometry) || input.Leaves != this->Leaves)
   {
+    this->Leaves = input.Leaves;
     this->Geometry = std::move(geometry);
     this->Frame = framed;
     this->LatticeInput.clear();
@@ -81,13 +90,18 @@ std::string StructuredVolume::updateScalars(const VolumeInput& input, const Draw
   {
     return {};
   }
-  std::string wrong = this->updateLattice({ drawn.OfCells, input.Between });
-  wrong = wrong.empty() ? withinMemory("the hidden cells",
-                            [&] {
-                              this->Hidden.update(input.Data, this->Geometry.Points, this->Case,
-                                this->LatticeRecord.Runs);
-                            })
-                        : wrong;
+  LatticeCase lies{ drawn.OfCells, input.Between };
+  std::array<int, 3> points = this->Geometry.Points;
+  if (this->Leaves)
+  {
+    vtkImageData::SafeDownCast(input.Data)->GetDimensions(points.data());
+    lies = { true, Interpolation::Nearest, { { points[0] - 1, points[1] - 1, points[2] - 1 } } };
+  }
+  std::string wrong = this->updateLattice(lies);
+  wrong = wrong.empty()
+            ? withinMemory("the hidden cells", [&]
+                { this->Hidden.update(input.Data, points, this->Case, this->LatticeRecord.Runs); })
+            : wrong;
   wrong = wrong.empty() ? this->updateValues(drawn) : wrong;
   wrong = wrong.empty() ? this->updateRanges(drawn.Mix) : wrong;
   if (!wrong.empty())
@@ -100,8 +114,9 @@ std::string StructuredVolume::updateScalars(const VolumeInput& input, const Draw
 std::string StructuredVolume::updateLattice(const LatticeCase& lies)
 {
   // Never empty, so that it differs from the input before the first lattice.
-  const Fingerprint input{ lies.OfCells ? std::uintptr_t(1) : 0,
+  Fingerprint input{ lies.OfCells ? std::uintptr_t(1) : 0,
     static_cast<std::uintptr_t>(lies.Between) };
+  addAll(input, lies.ValuesOfLeaves);
   if (input == this->LatticeInput)
   {
     return {};
@@ -136,6 +151,7 @@ std::string StructuredVolume::updateValues(const DrawnScalars& drawn)
     [&]
     {
       const StageRecorder recorder(this->ValuesRecord);
+      this->ValuesOfLeaves = this->Leaves ? drawn.Array : nullptr;
       this->Values = storeValues(drawn);
       std::transform(this->Values.begin() + 1, this->Values.end(),
         std::back_inserter(this->ExtraRanges),
@@ -160,7 +176,9 @@ std::string StructuredVolume::updateRanges(ComponentMix mix)
     [&]
     {
       const StageRecorder recorder(this->RangesRecord);
-      const std::size_t count = mix == ComponentMix::Independent ? this->Values.size() : 1;
+      const std::size_t count = this->Leaves                       ? 0
+                                : mix == ComponentMix::Independent ? this->Values.size()
+                                                                   : 1;
       this->Ranges.clear();
       for (std::size_t k = 0; k < count; ++k)
       {
@@ -179,6 +197,7 @@ void StructuredVolume::clearValues()
   this->ValuesInput.clear();
   this->RangesInput.clear();
   this->Values.clear();
+  this->ValuesOfLeaves = nullptr;
   this->ExtraRanges.clear();
   this->Ranges.clear();
 }
@@ -202,7 +221,11 @@ std::string StructuredVolume::updateVisibility(
     [&]
     {
       // Surfaces between constant cells lie between blocks, too, whose ranges do not tell of them.
-      if (blending.isIsoSurface() && !this->Made.Constant)
+      if (this->Leaves)
+      {
+        this->Empty.clear();
+      }
+      else if (blending.isIsoSurface() && !this->Made.Constant)
       {
         this->Empty.updateSurfaces(
           this->Ranges.front(), blending.IsoValues, this->RangesRecord.Runs);
@@ -225,6 +248,7 @@ void StructuredVolume::setBits(VariantKey& key) const
   key.Structured = true;
   key.PointScalars = !this->Made.Constant;
   key.Rectilinear = !this->Made.isUniform();
+  key.Octree = this->Leaves != nullptr;
   key.HiddenCells = !this->hiddenCells().empty();
   key.Leaps = this->leaps();
 }
@@ -232,6 +256,7 @@ void StructuredVolume::setBits(VariantKey& key) const
 void StructuredVolume::addTo(ReferenceScene& scene) const
 {
   scene.Cells = &this->Made;
+  scene.Tree = this->octree();
   scene.Values = &this->Values.front();
   scene.Range = this->range();
   scene.Hidden = &this->hiddenCells();

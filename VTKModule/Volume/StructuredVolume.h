@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An image or a rectilinear grid with what is drawn of it: the stages that make it, each of which
-// runs again only when its own input changed.
+// An image, a rectilinear grid or the leaves of an octree with what is drawn of it: the stages that
+// make it, each of which runs again only when its own input changed.
 #ifndef TetMarchVolumeStructuredVolume_h
 #define TetMarchVolumeStructuredVolume_h
 
@@ -16,6 +16,11 @@
 #include "Structured/StoredValues.h"
 #include "Volume/MarchedVolume.h"
 
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+
 namespace tetmarch
 {
 
@@ -27,8 +32,8 @@ public:
   StructuredVolume& operator=(const StructuredVolume&) = delete;
 
   /** The extent and the coordinates of the data, and the frame; the volume is empty if something
-   * is wrong. Takes a vtkImageData (vtkUniformGrid, too) or a vtkRectilinearGrid. Other data with
-   * the same coordinates keeps the lattice. */
+   * is wrong. Takes a vtkImageData (vtkUniformGrid, too) or a vtkRectilinearGrid, or leaves with
+   * their values. Other data with the same coordinates keeps the lattice. */
   std::string updateGeometry(
     const VolumeInput& input, const ResourceLimits& limits, const Progress& progress) override;
   /**
@@ -46,7 +51,7 @@ public:
   bool isEmpty() const override { return this->Geometry.isEmpty(); }
   bool isHidden() const override
   {
-    return areAllHidden(this->hiddenCells(), this->Made.numberOfCells());
+    return areAllHidden(this->hiddenCells(), this->numberOfCells());
   }
   bool showsNothing() const override { return this->emptySpace().EmptyShare == 1; }
   bool isStructured() const override { return true; }
@@ -94,6 +99,13 @@ public:
   bool startPoint(std::size_t vertex, const VertexStart& start, Vector3& point) const override;
 
   const Lattice& lattice() const { return this->Made; }
+  /** nullptr: the cells are those of the lattice. */
+  const Octree* octree() const { return this->Leaves ? &this->Leaves->Tree : nullptr; }
+  /** Of the lattice, or its leaves. */
+  std::uint64_t numberOfCells() const
+  {
+    return this->Leaves ? this->Leaves->Count : this->Made.numberOfCells();
+  }
   /** The data's planes along i, j, k in lattice coordinates, if the lattice has other planes. */
   std::array<std::vector<double>, 3> dataPlanes() const;
   /** Of the lattice. */
@@ -127,6 +139,7 @@ private:
   void clearValues();
 
   GridGeometry Geometry;
+  std::shared_ptr<const LeafPlaces> Leaves;
   VolumeFrame Frame;
   Fingerprint LatticeInput; // beside the geometry
   LatticeCase Case;
@@ -134,6 +147,7 @@ private:
   LightNodes Nodes;
   HiddenLatticeStage Hidden;
   Fingerprint ValuesInput;
+  vtkSmartPointer<vtkDataArray> ValuesOfLeaves; // which the stored ones may be those of
   std::vector<StoredValues> Values;
   std::vector<ScalarRange> ExtraRanges;
   Fingerprint RangesInput;

@@ -10,6 +10,10 @@ namespace tetmarch
 
 vtkIdType StructuredVolume::cellOf(std::uint32_t cell, const Vector3& point) const
 {
+  if (this->Leaves)
+  {
+    return cell;
+  }
   const auto& m = this->Made.FromNormalized;
   vtkIdType number = 0;
   vtkIdType stride = 1; // of data cells

@@ -2,17 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adaptive meshes and trees look like their leaves.
 #include "AdaptiveMeshes.h"
+#include "CutScene.h"
 #include "ErrorScene.h"
+#include "LeafTrees.h"
+#include "ScenePage.h"
 
 #include "vtkBitArray.h"
 #include "vtkBoundingBox.h"
+#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkHyperTreeGridToUnstructuredGrid.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkRandomHyperTreeGridSource.h"
+#include "vtkTetMarchFrameStatistics.h"
 
 #include <iostream>
 #include <random>
@@ -94,7 +100,9 @@ TEST(Leaves, OfTreesAreTheirCells)
       Scene leaves(leavesOf(trees));
       leaves.drawCellScalars();
       scene.drawCellScalars();
-      EXPECT_EQ(compare(scene.render(), leaves.render()).Max, 0.0);
+      EXPECT_LE(compare(scene.render(), leaves.render()).Max, input == trees ? 1.0 / 255.0 : 0.0);
+      EXPECT_EQ(scene.Mapper->GetNumberOfLatticeCells(),
+        input == trees ? grid->GetNumberOfCells() : 0); // in blocks they are tetrahedra
       EXPECT_EQ(scene.Mapper->GetBlocksBuilds(), round + 1);
       EXPECT_EQ(vtkBoundingBox(scene.Mapper->GetBounds()), vtkBoundingBox(grid->GetBounds()));
       vtkDataArray* scalars = trees->GetCellData()->GetScalars();
@@ -106,6 +114,166 @@ TEST(Leaves, OfTreesAreTheirCells)
     }
     EXPECT_EQ(scene.Mapper->GetNumberOfLostRays(), 0);
   }
+}
+
+// Leaves of four levels, some of them masked.
+LeafTrees wavyTrees()
+{
+  return leafTrees(
+    3, sineField(2.1),
+    [](const Node& node)
+    { return node.Level < 3 && node.Low[0] + node.Low[2] < 0.9 - 0.2 * node.Level; },
+    [](const Node& node)
+    { return noiseField(5, 64)(node.Low[0], node.Low[1], node.Low[2]) < 0.1; });
+}
+
+struct Case
+{
+  const char* Name;
+  std::function<void(Scene&)> Set;
+};
+
+const Case Unlit[] = {
+  { "volume", [](Scene&) {} },
+  { "from inside", [](Scene& scene) { lookFromInside(scene.camera()); } },
+  { "maximum", [](Scene& scene) { scene.Mapper->SetBlendModeToMaximumIntensity(); } },
+  { "average", [](Scene& scene) { scene.Mapper->SetBlendModeToAverageIntensity(); } },
+  { "clipped", [](Scene& scene) { clipObliquely(scene); } },
+  { "cropped", [](Scene& scene) { crop(scene, VTK_CROP_FENCE); } },
+  { "mostly transparent", [](Scene& scene) { setSpikyFunctions(scene.property()); } },
+};
+
+// Where levels differ, hexahedra have no surface between them, but leaves do.
+const Case OfEqualLeaves[] = {
+  { "isosurfaces",
+    [](Scene& scene)
+    {
+      scene.Mapper->SetBlendModeToIsoSurface();
+      scene.property()->GetIsoSurfaceValues()->SetValue(0, 0.5);
+    } },
+};
+
+void expectLikeHexahedra(const LeafTrees& made, const Case& c)
+{
+  SCOPED_TRACE(c.Name);
+  Scene stored(made.Leaves);
+  Scene leaves(made.Leaves);
+  leaves.Mapper->SetInputDataObject(made.Trees);
+  for (Scene* scene : { &stored, &leaves })
+  {
+    scene->drawCellScalars();
+    c.Set(*scene);
+  }
+  const Image expected = stored.render();
+  const Difference difference = compare(leaves.render(), expected);
+  EXPECT_LE(difference.Rms, 0.1 / 255.0);
+  EXPECT_LE(difference.Max, 1.0 / 255.0) << difference.text();
+  EXPECT_EQ(leaves.Mapper->GetNumberOfLatticeCells(), made.Leaves->GetNumberOfCells());
+  EXPECT_EQ(leaves.Mapper->GetNumberOfTetrahedra(), 0);
+  EXPECT_EQ(leaves.Mapper->GetNumberOfGuardHits(), 0);
+  std::cout << "[ MEASURED ] " << c.Name << ": " << difference.text() << "\n";
+}
+
+TEST(Leaves, LookLikeHexahedra)
+{
+  const LeafTrees wavy = wavyTrees();
+  for (const Case& c : Unlit)
+  {
+    expectLikeHexahedra(wavy, c);
+  }
+  const LeafTrees even = leafTrees(8, sineField(2.1), [](const Node&) { return false; });
+  for (const Case& c : OfEqualLeaves)
+  {
+    expectLikeHexahedra(even, c);
+  }
+}
+
+// Shadows are softer than the truth: sampled along rays, and more so at nodes.
+TEST(Leaves, LightIsThatOfTheGroundTruth)
+{
+  const LeafTrees made = wavyTrees();
+  const std::pair<Case, double> cases[] = {
+    { { "light", [](Scene&) {} }, 0.01 },
+    { { "gradient opacity", [](Scene& scene) { setGradientOpacity(scene.property()); } }, 0.01 },
+    { { "shadows along rays", [](Scene& scene) { scene.Mapper->SetShadowMethodToAlongRays(); } },
+      0.03 },
+    { { "shadows at vertices", [](Scene& scene) { scene.Mapper->SetShadowMethodToAtVertices(); } },
+      0.06 },
+  };
+  for (const auto& [c, most] : cases)
+  {
+    SCOPED_TRACE(c.Name);
+    LitScene scene(made.Leaves, 64, 64);
+    scene.Mapper->SetInputDataObject(made.Trees);
+    scene.drawCellScalars();
+    c.Set(scene);
+    scene.render();
+    c.Name == std::string("light") ? keepScenePage(scene.Window) : void();
+    ASSERT_TRUE(scene.Mapper->CompareWithGroundTruth(scene.Volume));
+    vtkTetMarchFrameStatistics* statistics = scene.Mapper->GetLastFrameStatistics();
+    const int trueError = vtkTetMarchFrameStatistics::TRUE_ERROR;
+    EXPECT_GT(statistics->GetNumberOfPixels(trueError), 500);
+    EXPECT_LE(statistics->GetPercentile(trueError, 99.0), most);
+    std::cout << "[ MEASURED ] " << c.Name << ": " << statistics->GetPercentile(trueError, 99.0)
+              << "\n";
+  }
+}
+
+// Of blocks the cell of the block; of a tree the number of the leaf.
+TEST(Leaves, ArePicked)
+{
+  const LeafTrees made = wavyTrees();
+  const auto blocks = adaptiveMesh(sineField());
+  for (vtkDataObject* input : std::initializer_list<vtkDataObject*>{ made.Trees, blocks })
+  {
+    SCOPED_TRACE(input->GetClassName());
+    Scene scene(made.Leaves, 64, 64);
+    scene.Mapper->SetInputDataObject(input);
+    scene.drawCellScalars();
+    scene.render();
+    int hits = 0;
+    for (int pixel = 0; pixel < 64 * 64; pixel += 97)
+    {
+      vtkTetMarchVolumeMapper* mapper = scene.Mapper;
+      if (!mapper->Pick(scene.Renderer, scene.Volume, pixel % 64, pixel / 64))
+      {
+        continue;
+      }
+      ++hits;
+      vtkDataSet* picked =
+        input == blocks ? blockOf(blocks, mapper->GetPickedBlock()) : made.Leaves.Get();
+      ASSERT_TRUE(picked);
+      const vtkIdType cell = mapper->GetPickedCellId();
+      ASSERT_LT(cell, picked->GetNumberOfCells());
+      EXPECT_NEAR(picked->GetCellData()->GetScalars()->GetComponent(cell, 0),
+        mapper->GetPickedScalar(), 1e-5);
+      vtkBoundingBox box(picked->GetCell(cell)->GetBounds());
+      box.Inflate(1e-4);
+      EXPECT_TRUE(box.ContainsPoint(mapper->GetPickedPosition()));
+    }
+    EXPECT_GT(hits, 5);
+  }
+}
+
+// What is drawn as leaves is drawn as tetrahedra after a change of the input, and the other way.
+TEST(Leaves, ComeAndGo)
+{
+  const LeafTrees made = wavyTrees();
+  Scene scene(made.Leaves);
+  scene.drawCellScalars();
+  const Image expected = scene.render();
+  const auto expectMemory = [&](vtkDataObject* input)
+  {
+    scene.Mapper->SetInputDataObject(input);
+    EXPECT_LE(compare(scene.render(), expected).Max, 1.0 / 255.0);
+    return scene.Mapper->GetGPUMemoryBytes();
+  };
+  const auto ofTetrahedra = expectMemory(made.Leaves);
+  const auto ofLeaves = expectMemory(made.Trees);
+  EXPECT_NE(ofLeaves, ofTetrahedra);
+  EXPECT_EQ(expectMemory(made.Leaves), ofTetrahedra);
+  scene.Window->ReleaseGraphicsResources(scene.Window);
+  EXPECT_EQ(expectMemory(made.Trees), ofLeaves);
 }
 
 using LeafErrors = ErrorScene;
