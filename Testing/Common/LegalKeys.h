@@ -110,6 +110,11 @@ inline std::vector<VariantKey> legalKeys()
       key.Curvilinear = false;
     }
     legal.add(key.filtered());
+    if (i % 8 > 3) // else few would be of lattices without leaves, or with them
+    {
+      key.Octree = !key.Octree;
+      legal.add(key.filtered());
+    }
   }
   return legal.Keys;
 }

@@ -110,21 +110,22 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // cells or without; past opaque geometry or not, and with gradient opacity of points in two ways,
 // of corners and of cells in one, or without. Through a mesh in one part or several, fused or not,
 // in one buffer or two; through a curvilinear grid; through a lattice whose planes are even or not,
-// with leaps or without, and whose values are in one texture, in two or in many. Cuts let light
-// through or not.
+// with leaps or without, or with leaves of scalars of cells, and whose values are in one texture,
+// in two or in many. Cuts let light through or not.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
   const std::size_t ofMeshes = 2 * 2 * 2 * 2 * 2 * (3 + 2 + 2);
   const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
   const std::size_t ofCurvilinear = ofVolumes; // it has no corners of their own
-  EXPECT_EQ(light, 2 * (2 * ofMeshes + ofCurvilinear + 3 * ofVolumes));
+  const std::size_t ofLeaves = 2 * 2 * 2 * 2 * 2;
+  EXPECT_EQ(light, 2 * (2 * ofMeshes + ofCurvilinear + 3 * (ofVolumes + ofLeaves)));
   // Entries are listed or searched for. Of scalars at points, corners or cells, clipped, cropped or
   // whole, with hidden cells or not; of volumes with opacity by gradients of either kind or
   // without, or of independent components, with what is not finite or not; or in three other blend
   // modes. Of a mesh in one buffer or two; of a curvilinear grid, without corners; or of a lattice,
   // whose planes are even or not, volumes are leapt to or not, and so are surfaces in trilinear
-  // cells; in one texture, two, many.
+  // cells, or whose leaves have scalars of cells; in one texture, two, many.
   const std::size_t picked = legalPickKeys().size();
   const std::size_t searched = (3 + 2 + 2 + 2) * 2 + 3 * 3;
   const std::size_t visible = (3 + 2) * 2 + 1; // of a part of the mesh, or of all of it
@@ -132,8 +133,10 @@ TEST(VariantKey, LegalKeysAreCounted)
   const std::size_t visibleCorners = 2 * 3 * 2 * (2 * 2 + 1); // of a mesh in one buffer
   const std::size_t computed = (3 + 2 + 2) * 2 + 3 * 2;
   const std::size_t ofCurvilinearPicks = 2 * 3 * 2 * (computed + computed + visible);
-  const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
-  const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
+  const std::size_t ofLeavesPicked = (2 + 1) * 2 + 3;
+  const std::size_t ofLattices =
+    2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2 + ofLeavesPicked);
+  const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2 + 2); // or more: never in two textures
   EXPECT_EQ(picked,
     2 * ofTetrahedra + visibleCorners + ofCurvilinearPicks + 3 * ofLattices - ofTwoComponents);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
