@@ -8,6 +8,7 @@
 
 #include "vtkTetMarchFrameStatistics.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QTimer>
 #include <QtTest>
@@ -40,6 +41,7 @@ private Q_SLOTS:
   void EndsWithItsWindow_data();
   void EndsWithItsWindow();
   void KeepsTheMeshOfTimeSteps();
+  void CutsCurvedCells();
 
 private:
   /// Rows of a stage, and the fraction of it above which the job is held.
@@ -206,6 +208,32 @@ void LoadingTest::KeepsTheMeshOfTimeSteps()
   this->Window->Open(GetData("golfball_small.vtu"));
   this->Wait();
   QVERIFY(&this->GetModel().GetScene().GetMapper() != mapper);
+}
+
+void LoadingTest::CutsCurvedCells()
+{
+  this->OpenPicture(WriteCurvedCells(this->Folder.filePath(QStringLiteral("curved.vtu"))));
+  Model& model = this->GetModel();
+  auto* choice = this->Window->findChild<QComboBox*>(QStringLiteral("curved"));
+  HeldJob held(model.GetLoader(), Preparing, 0.0);
+  QTest::keyClick(choice, Qt::Key_End);
+  QVERIFY(Reaches([&] { return held.Holds(); }));
+  QCOMPARE(choice->currentText(), QStringLiteral("Within 1/2000"));
+  QTest::mouseClick(
+    this->Window->findChild<QPushButton*>(QStringLiteral("cancel")), Qt::LeftButton);
+  QCOMPARE(choice->currentIndex(), 0);
+  held.LetGo();
+  model.ChooseGeometryTolerance(0.007); // none of the list
+  this->Wait();
+  QCOMPARE(choice->currentText(), QStringLiteral("Within 0.007"));
+  vtkTetMarchFrameStatistics* statistics = model.GetScene().GetMapper().GetStatistics();
+  QVERIFY(statistics->GetNumberOfTetrahedra() > 1000);      // of 8 cells
+  QCOMPARE(statistics->GetBlocksBuilds(), vtkTypeInt64(1)); // before anything was drawn of it
+  QCOMPARE(statistics->GetMeshBuilds(), vtkTypeInt64(1));
+  this->Window->Open(GetData("golfball_small.vtu"));
+  this->Wait();
+  QVERIFY(!choice->isEnabled());
+  QCOMPARE(choice->currentIndex(), 0);
 }
 
 } // namespace tetmarch

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Programs.h"
 #include "ViewCase.h"
+#include "WriteGrids.h"
 
 #include <QComboBox>
 #include <QtTest>
@@ -26,23 +27,26 @@ void ModesTest::EachChoiceIsDrawn_data()
   QTest::addColumn<QString>("name");
   QTest::newRow("blend modes") << QStringLiteral("blend");
   QTest::newRow("views") << QStringLiteral("view");
+  QTest::newRow("curved cells") << QStringLiteral("curved");
 }
 
 void ModesTest::EachChoiceIsDrawn()
 {
   QFETCH(QString, name);
-  this->OpenLattice();
+  this->OpenPicture(WriteCurvedCells(this->Folder.filePath(QStringLiteral("curved.vtu"))));
   auto* choice = this->Window->findChild<QComboBox*>(name);
   const Pixels plain = this->Draw();
   for (int i = 1; i < choice->count(); ++i)
   {
     QTest::keyClick(choice, Qt::Key_Down);
+    this->Wait();
     QCOMPARE(choice->currentIndex(), i);
     const Pixels drawn = this->Draw();
     QVERIFY(Compare(plain, drawn).Bytes > 1000);
     QVERIFY(CountDrawn(drawn) > 1000);
   }
   QTest::keyClick(choice, Qt::Key_Home);
+  this->Wait();
   QCOMPARE(Compare(plain, this->Draw()).Bytes, std::size_t(0));
 }
 

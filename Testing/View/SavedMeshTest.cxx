@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Programs.h"
 #include "SavedCase.h"
+#include "WriteGrids.h"
 #include "WriteKinds.h"
 
 #include "vtkTetMarchSettings.h"
@@ -43,6 +44,7 @@ class SavedMeshTest : public SavedCase
 private Q_SLOTS:
   void TheFirstPicture();
   void LeavesOfATree();
+  void CurvedCells();
   void AChangedView_data();
   void AChangedView();
 };
@@ -57,6 +59,14 @@ void SavedMeshTest::TheFirstPicture()
 void SavedMeshTest::LeavesOfATree()
 {
   this->OpenPicture(WriteTree(this->Folder.path()));
+  this->CheckPicture();
+}
+
+void SavedMeshTest::CurvedCells()
+{
+  this->OpenPicture(WriteCurvedCells(this->Folder.filePath(QStringLiteral("curved.vtu"))));
+  this->GetModel().ChooseGeometryTolerance(0.01);
+  this->Wait();
   this->CheckPicture();
 }
 

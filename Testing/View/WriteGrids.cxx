@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WriteGrids.h"
 
+#include "Fields.h"
+#include "QuadraticGrids.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -32,6 +35,15 @@ QString tetmarch::WriteLattice(const QString& path, int cells)
   writer->SetInputConnection(grid->GetOutputPort());
   writer->SetFileName(path.toUtf8().constData());
   writer->SetCompressorTypeToNone();
+  writer->Write();
+  return path;
+}
+
+QString tetmarch::WriteCurvedCells(const QString& path)
+{
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(testing::quadraticHexLattice(2, 0.1, testing::radialField()));
+  writer->SetFileName(path.toUtf8().constData());
   writer->Write();
   return path;
 }

@@ -15,6 +15,10 @@ namespace tetmarch
 /// An unstructured grid of so many voxels along each axis, with waves as its scalars.
 QString WriteLattice(const QString& path, int cells);
 
+/// An unstructured grid of 8 quadratic hexahedra with bent edges; the scalar is the distance from
+/// the centre.
+QString WriteCurvedCells(const QString& path);
+
 /// A unit voxel at three time steps. Its ramp along x ends at 1, then at 2, then at 3.
 QString WriteSteps(const QString& path);
 

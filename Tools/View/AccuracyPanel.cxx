@@ -88,6 +88,29 @@ void AccuracyPanel::MakeSettings()
   this->Tolerance->setObjectName(QStringLiteral("tolerance"));
   this->Tolerance->setToolTip(tr("Maximum error of a channel of any pixel, 0 to 1"));
   form->addRow(tr("Tolerance"), this->Tolerance);
+  this->Curved = new QComboBox;
+  this->Curved->setObjectName(QStringLiteral("curved"));
+  this->Curved->addItem(tr("Linear pieces"), 0.0);
+  for (const int part : { 100, 500, 2000 })
+  {
+    this->Curved->addItem(tr("Within 1/%1").arg(part), 1.0 / part);
+  }
+  this->Curved->setToolTip(
+    tr("Maximum estimated error of the shape of quadratic, Lagrange and Bezier cells, as a part of "
+       "the diagonal of the data, and of the scalars within them, as a part of their range"));
+  connect(this->Curved, QOverload<int>::of(&QComboBox::activated), this,
+    [this] { this->Shown.ChooseGeometryTolerance(this->Curved->currentData().toDouble()); });
+  form->addRow(tr("Curved cells"), this->Curved);
+  // A choice that failed or was cancelled leaves what is drawn.
+  connect(&this->Shown, &Model::LoadingChanged, this,
+    [this](bool busy)
+    {
+      if (!busy)
+      {
+        this->ShowCurved();
+      }
+    });
+  this->ShowCurved();
   this->Budgeted = new QCheckBox(tr("Time budget"));
   this->Budgeted->setToolTip(tr("Choose the best level whose frames take at most these seconds"));
   this->Budget = new ValueSlider(0.01, 10.0, ValueSlider::Logarithmic);
@@ -165,6 +188,17 @@ void AccuracyPanel::ShowState()
     !budgeted && state.Settings.AccuracyLevel == vtkTetMarchSettings::DEFAULT);
   this->CompareButton->setEnabled(hasData);
   this->TrueError->setText(QStringLiteral("–"));
+}
+
+void AccuracyPanel::ShowCurved()
+{
+  const double tolerance = this->Shown.GetState().Settings.GeometryTolerance;
+  if (this->Curved->findData(tolerance) < 0) // of a session
+  {
+    this->Curved->addItem(tr("Within %1").arg(Number(tolerance)), tolerance);
+  }
+  this->Curved->setCurrentIndex(this->Curved->findData(tolerance));
+  this->Curved->setEnabled(this->Shown.HasData() && this->Shown.GetScene().GetData().Curved);
 }
 
 void AccuracyPanel::ShowTime()

@@ -37,6 +37,7 @@ private:
   void MakeSettings();
   void MakeFigures();
   void ShowState();
+  void ShowCurved();
   void ShowTime();
   void ShowFigures();
   void Compare();
@@ -45,6 +46,7 @@ private:
   Model& Shown;
   QComboBox* Level;
   ValueSlider* Tolerance;
+  QComboBox* Curved;
   QCheckBox* Budgeted;
   ValueSlider* Budget;
   QComboBox* View;

@@ -70,8 +70,15 @@ DataPanel::DataPanel(Model& model, QWidget* parent)
   connect(this->IsoValues, &QLineEdit::editingFinished, this, &DataPanel::TakeIsoValues);
   connect(&model, &Model::DataChanged, this, &DataPanel::ShowData);
   connect(&model, &Model::StateChanged, this, &DataPanel::ShowState);
-  // A choice that failed leaves what is drawn.
-  connect(&model, &Model::Failed, this, [this] { this->ShowData(); });
+  // A choice that failed or was cancelled leaves what is drawn.
+  connect(&model, &Model::LoadingChanged, this,
+    [this](bool busy)
+    {
+      if (!busy)
+      {
+        this->ShowData();
+      }
+    });
   this->ShowState();
 }
 

@@ -12,7 +12,11 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
+#include "vtkTetMarchSettings.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -42,10 +46,26 @@ std::vector<ArrayName> ListArrays(vtkTetMarchFirstPicture* choice)
   return arrays;
 }
 
-std::shared_ptr<AnyMapper> PrepareMapper(const Prepared& volume, const ProgressReport& report)
+bool HasCurvedCells(vtkDataSet* block)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(block);
+  for (vtkIdType cell = 0; grid && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    if (type >= VTK_QUADRATIC_EDGE && type != VTK_CONVEX_POINT_SET && type != VTK_POLYHEDRON)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::shared_ptr<AnyMapper> PrepareMapper(
+  const Prepared& volume, double geometryTolerance, const ProgressReport& report)
 {
   std::shared_ptr<AnyMapper> mapper = MakeMapper(false);
   mapper->SetInput(volume.Data.Input);
+  mapper->GetSettings()->SetGeometryTolerance(geometryTolerance);
   // Which of several blocks are drawn depends on it.
   mapper->SelectArray(
     volume.Choice->GetChosenAssociation(), volume.Choice->GetChosenArray()->GetName());
@@ -94,9 +114,11 @@ tetmarch::LoadResult tetmarch::RunJob(const LoadJob& job, const ProgressReport& 
   }
   volume.Arrays = ListArrays(volume.Choice);
   volume.Values = CountValues(volume.Data, volume.Choice);
+  const auto& blocks = volume.Data.Blocks;
+  volume.Curved = std::any_of(blocks.begin(), blocks.end(), HasCurvedCells);
   if (!volume.Data.Structured && !HasSameMesh(job.Shown, volume.Data.Input))
   {
-    result.Mapper = PrepareMapper(volume, report);
+    result.Mapper = PrepareMapper(volume, job.GeometryTolerance, report);
   }
   return result;
 }

@@ -25,7 +25,9 @@ struct LoadJob
   std::optional<VolumeData> Read;
   /// Whether transfer functions are chosen. If not, the array alone is.
   bool ChooseFunctions = true;
-  /// What is drawn now. Null: nothing.
+  /// The mapper's setting, with which the mesh is prepared.
+  double GeometryTolerance = 0.0;
+  /// Data whose mesh is prepared: another one with the same mesh needs no preparation. Null: none.
   vtkSmartPointer<vtkDataObject> Shown;
 };
 

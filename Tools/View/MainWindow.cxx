@@ -174,7 +174,7 @@ void MainWindow::MakeStatusBar()
     {
       this->Shown.GetLoader().Cancel();
       this->Shown.CancelFrames();
-      this->ShowLoading(false);
+      Q_EMIT this->Shown.LoadingChanged(false);
       this->statusBar()->showMessage(tr("Cancelled"), MessageMilliseconds);
     });
 }

@@ -57,6 +57,8 @@ public:
   void OpenState(const ViewState& state);
   void ChooseArray(const std::string& name, int association, int component);
   void ChooseTimeStep(int step);
+  /// Of curved cells.
+  void ChooseGeometryTolerance(double tolerance);
 
   void ResetCamera();
   void LookAlong(int axis);
@@ -116,6 +118,7 @@ private:
     Session,
     Array,
     TimeStep,
+    Tolerance,
     Surface
   };
 

@@ -3,6 +3,23 @@
 // What the model has the loader read, and what it does with it.
 #include "Model.h"
 
+#include <algorithm>
+
+namespace
+{
+using namespace tetmarch;
+
+/// What is drawn, with its settings; a surface is there already.
+LoadJob MakeJob(const ViewState& state)
+{
+  LoadJob job;
+  job.Wanted = state.Data;
+  job.Wanted.Surface.clear();
+  job.GeometryTolerance = state.Settings.GeometryTolerance;
+  return job;
+}
+} // namespace
+
 namespace tetmarch
 {
 
@@ -10,7 +27,10 @@ void Model::Start(Purpose purpose, const LoadJob& job)
 {
   this->Why = purpose;
   this->Job = job;
-  this->Job.Shown = this->HasData() ? this->Drawn.GetData().Data.Input : nullptr;
+  // Curved cells are cut anew for each array and tolerance. A surface needs no other mesh.
+  const bool cuts = purpose != Purpose::Surface &&
+                    std::max(job.GeometryTolerance, this->State.Settings.GeometryTolerance) > 0.0;
+  this->Job.Shown = this->HasData() && !cuts ? this->Drawn.GetData().Data.Input : nullptr;
   Q_EMIT this->LoadingChanged(true);
   this->Reading.Start(this->Job);
 }
@@ -27,6 +47,7 @@ void Model::OpenState(const ViewState& state)
   LoadJob job;
   job.Wanted = state.Data;
   job.ChooseFunctions = false;
+  job.GeometryTolerance = state.Settings.GeometryTolerance;
   this->Wanted = state;
   this->Start(Purpose::Session, job);
 }
@@ -48,9 +69,7 @@ void Model::OpenSurface(const QString& path)
 
 void Model::ChooseArray(const std::string& name, int association, int component)
 {
-  LoadJob job;
-  job.Wanted = this->State.Data;
-  job.Wanted.Surface.clear();
+  LoadJob job = MakeJob(this->State);
   job.Wanted.Array = name;
   job.Wanted.Association = association;
   job.Wanted.Component = component;
@@ -60,12 +79,19 @@ void Model::ChooseArray(const std::string& name, int association, int component)
 
 void Model::ChooseTimeStep(int step)
 {
-  LoadJob job;
-  job.Wanted = this->State.Data;
-  job.Wanted.Surface.clear();
+  LoadJob job = MakeJob(this->State);
   job.Wanted.TimeStep = step;
   job.ChooseFunctions = false;
   this->Start(Purpose::TimeStep, job);
+}
+
+void Model::ChooseGeometryTolerance(double tolerance)
+{
+  LoadJob job = MakeJob(this->State);
+  job.Read = this->Drawn.GetData().Data;
+  job.ChooseFunctions = false;
+  job.GeometryTolerance = tolerance;
+  this->Start(Purpose::Tolerance, job);
 }
 
 void Model::Take(const std::shared_ptr<LoadResult>& result, const QString& failure)
@@ -104,6 +130,7 @@ void Model::Show(const LoadResult& result)
     this->Drawn.Capture(this->State);
     const ViewState before = this->State;
     this->State.Data.File = this->Job.Wanted.File;
+    this->State.Settings.GeometryTolerance = this->Job.GeometryTolerance;
     this->Drawn.SetData(
       result.Volume, result.Mapper, this->Job.ChooseFunctions, this->GetAspect(), this->State);
     if (this->Why == Purpose::Array)
@@ -111,7 +138,7 @@ void Model::Show(const LoadResult& result)
       this->State.Camera = before.Camera;
       this->State.Cuts = before.Cuts;
     }
-    if (this->Why != Purpose::TimeStep)
+    if (this->Job.ChooseFunctions)
     {
       this->State.IsoValues = this->Drawn.MakeIsoValues(3);
     }

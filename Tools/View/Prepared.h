@@ -32,7 +32,8 @@ struct Prepared
   VolumeData Data;
   vtkSmartPointer<vtkTetMarchFirstPicture> Choice;
   std::vector<ArrayName> Arrays;
-  Histogram Values; // of what is chosen
+  Histogram Values;    // of what is chosen
+  bool Curved = false; // some cells are quadratic, Lagrange or Bezier
 };
 
 } // namespace tetmarch
