@@ -2,7 +2,9 @@
 // conventions. Bound by GL/LatticeTextures.
 uniform vec2 valueMap;      // scale and offset: from values of the texture to stored scalars
 uniform ivec3 latticeCells; // along i, j, k
+#if !TETMARCH_LEAF_CELLS
 uniform ivec3 firstValue;   // of cell 0, along i, j, k
+#endif
 uniform ivec3 lastValue;
 uniform mat4 latticeMatrix; // from the normalised frame to lattice coordinates
 uniform int mostSteps;      // the step guard: maximum number of parts of cells on a ray
