@@ -5,6 +5,7 @@ import numpy as np
 import vtkmodules.all as vtk
 import made_grids as grids
 import made_images as images
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtktetmarch import vtkTetMarchSmartVolumeMapper, vtkTetMarchVolumeMapper
 
 # What a variant may have; TETMARCH_HAS_FMA is the driver's choice.
@@ -13,7 +14,7 @@ FEATURES = frozenset("""
     CLIPPED CROPPED NAN_SHOWN HIDDEN_CELLS EXTREME SUM ISOSURFACES INDEPENDENT COLOR_AND_OPACITY DIRECT_COLOR
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT FEW_LIGHTS WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS LIGHT_TOLERANCE LIGHT_THROUGH_CUTS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION
-    SHOW_ILLUMINATION SHOW_GRADIENTS STRUCTURED RECTILINEAR LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
+    SHOW_ILLUMINATION SHOW_GRADIENTS STRUCTURED RECTILINEAR OCTREE LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
     REENTERED CURVILINEAR CORNER_SCALARS
     """.split())
 ARRAY = "field"
@@ -37,7 +38,7 @@ class VariantScene:
         if unknown:
             raise ValueError(f"no scene is known for {sorted(unknown)}")
         self.features, self.number = features, number
-        if self.has("STRUCTURED"):
+        if self.is_lattice():
             self.mapper = vtkTetMarchSmartVolumeMapper()
             self.mapper.InteractiveAdjustSampleDistancesOff()
         else:
@@ -51,7 +52,7 @@ class VariantScene:
         self.renderer.SetBackground(0.2, 0.3, 0.1)
         self.renderer.AutomaticLightCreationOff()
         self.renderer.AddVolume(self.volume)
-        set_data = self.set_lattice if self.has("STRUCTURED") else self.set_grid
+        set_data = self.set_trees if self.has("OCTREE") else self.set_lattice if self.is_lattice() else self.set_grid
         for step in (set_data, self.set_functions, self.set_blending, self.set_surfaces, self.set_cuts,
                      self.set_effects, self.set_lights, self.set_quality, self.set_camera):
             step()
@@ -63,6 +64,9 @@ class VariantScene:
         return choices[self.number % len(choices)]
 
     # --- Data ------------------------------------------------------------------------------------
+
+    def is_lattice(self):
+        return self.has("STRUCTURED") and not self.has("OCTREE")
 
     def components(self):
         if self.has("INDEPENDENT"):
@@ -134,6 +138,33 @@ class VariantScene:
         grids.add_array(grid.GetPointData() if of_points else grid.GetCellData(), ARRAY, values)
         self.show_data(grid)
 
+    def set_trees(self):
+        """Of four levels; the values of each node are those of a place at random."""
+        source = vtk.vtkRandomHyperTreeGridSource()
+        source.SetDimensions(4, 4, 4)
+        source.SetOutputBounds(0, 1, 0, 1, 0, 1)
+        source.SetMaxDepth(4)
+        source.SetSeed(3)
+        source.Update()
+        trees = source.GetHyperTreeGridOutput()
+        if self.has("RECTILINEAR"):
+            for method in (trees.SetXCoordinates, trees.SetYCoordinates, trees.SetZCoordinates):
+                method(numpy_to_vtk(images.coordinates(3, False), deep=True))
+        places = np.random.RandomState(1).random_sample((trees.GetGlobalNodeIndexMax() + 1, 3))
+        values = np.stack([grids.waves(places, 0.8 + 0.2 * k, k) for k in range(self.components())], axis=1)
+        if self.has("NAN_SHOWN"):
+            values[5::29] = np.nan
+        trees.GetCellData().Initialize()
+        grids.add_array(trees.GetCellData(), ARRAY, values)
+        mask = vtk.vtkBitArray()
+        for node in range(len(values)):
+            mask.InsertNextValue(int(self.has("HIDDEN_CELLS") and node % 5 == 4))
+        trees.SetMask(mask)
+        self.mapper.SetScalarModeToUseCellFieldData()
+        self.mapper.SelectScalarArray(ARRAY)
+        self.mapper.SetInputDataObject(trees)
+        self.grid = trees
+
     def show_data(self, grid):
         if self.has("HIDDEN_CELLS"):
             marks = np.zeros(grid.GetNumberOfCells(), dtype=np.uint8)
@@ -152,7 +183,7 @@ class VariantScene:
             self.property.SetScalarOpacityUnitDistance(component, 0.3 + 0.1 * component)
         if self.components() > 1:
             self.property.SetIndependentComponents(self.has("INDEPENDENT"))
-            if not self.has("STRUCTURED"):  # there all is drawn where no vector mode is set
+            if not self.is_lattice():  # there all is drawn where no vector mode is set
                 self.mapper.SetVectorModeToAllComponents()
 
     def make_colors(self, component):
@@ -289,7 +320,7 @@ class VariantScene:
         if self.has("HEADLIGHT_ONLY"):
             self.add_light(None, (1.0, 0.9, 0.8), self.has("HEADLIGHT_SHADOWS"))
             return
-        sun = self.add_light((2.0, -1.0, 3.0), (0.9, 0.9, 0.7), self.has("CAST_SHADOWS"))
+        sun = self.add_light((2.0, -1.0, 0.5 if self.has("SLABS") else 3.0), (0.9, 0.9, 0.7), self.has("CAST_SHADOWS"))
         if not self.has("SINGLE_LIGHT"):
             self.add_light((-2.0, -2.0, 0.5), (0.3, 0.5, 0.9), self.has("SEVERAL_SHADOWS"))
             if self.has("HEADLIGHT_SHADOWS"):
@@ -318,10 +349,15 @@ class VariantScene:
     def set_camera(self):
         camera = self.renderer.GetActiveCamera()
         camera.SetViewUp(0, 0, 1)
-        if self.has("ENTRY_LISTS") or (self.has("STRUCTURED") and self.one_of(True, False, True)):
-            camera.SetPosition(1.5, -2.2, 1.6)
+        # Rays across thousands of layers, to the eye or to a light, may be longer than llvmpipe's loops
+        # (Documentation/Limits.md).
+        along_layers = self.has("SLABS")
+        if self.has("ENTRY_LISTS") or along_layers or (self.has("STRUCTURED") and self.one_of(True, False, True)):
+            visible_side = (2.4, -1.3, 1.2)
+            side = (1.5, -2.2, 0.5 if along_layers else 1.6)
+            camera.SetPosition(*(visible_side if self.has("VISIBLE_PART") else side))
             camera.SetFocalPoint(0.5, 0.5, 0.45)
-            if self.one_of(False, False, True):
+            if along_layers or self.one_of(False, False, True):
                 camera.ParallelProjectionOn()
                 camera.SetParallelScale(0.8)
         else:

@@ -25,7 +25,8 @@ inline bool isSensible(const VariantKey& k)
   // Rays enter a lattice through its planes, without lists or predicates.
   const bool ofTetrahedra =
     k.EntryLists || k.Hierarchy || k.HasFma || k.SplitCells || k.Curvilinear;
-  return !(k.Structured && ofTetrahedra) && !(!k.Structured && (k.Rectilinear || k.Octree || k.Leaps)) &&
+  return !(k.Structured && ofTetrahedra) &&
+         !(!k.Structured && (k.Rectilinear || k.Octree || k.Leaps)) &&
          // Who enters a part by a list enters it again.
          !(k.Reentered && (!k.EntryLists || k.Blend == BlendGroup::Isosurfaces)) &&
          !(k.VisiblePart && composite && !k.Reentered) &&
@@ -37,8 +38,9 @@ inline bool isSensible(const VariantKey& k)
          // on the way to lights alone.
          (k.Structured || k.EntryLists || k.Hierarchy) &&
          !(k.EntryLists && k.Hierarchy && !k.SampledShadows) &&
-         // Leaves of trees have constant scalars; there are no blocks of them.
-         !(k.Octree && (k.PointScalars || k.Leaps)) &&
+         // Leaves of trees have constant scalars in one texture, aren't sampled, and there are no
+         // blocks of them.
+         !(k.Octree && (k.PointScalars || k.Leaps || k.Slabs || k.PointSampled)) &&
          // Parts of rays end where they are asked to, and aren't counted.
          !(k.Peeled && (k.OpaqueDepth || k.Diagnostics)) &&
          // What is cropped may be clipped, too.

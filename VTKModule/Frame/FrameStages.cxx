@@ -215,7 +215,7 @@ std::string FrameStages::describeBadSamples() const
            "together. Choose one by VectorMode and VectorComponent, or another accuracy level, "
            "such as SetAccuracyLevelToDefault().";
   }
-  return this->Marched.isStructured()
+  return this->Marched.takesSamples()
            ? describeBadDistance(this->Samples, this->Marched.frame())
            : "The accuracy level is Sampled, which is for images and rectilinear grids alone. "
              "Choose another one, such as SetAccuracyLevelToDefault().";

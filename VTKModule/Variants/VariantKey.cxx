@@ -116,7 +116,8 @@ VariantKey VariantKey::filtered() const
   return key;
 }
 
-// A ray enters a lattice once, through its outermost planes. Only lattices are sampled.
+// A ray enters a lattice once, through its outermost planes. Only lattices without leaves are
+// sampled.
 void VariantKey::dropWhatLatticesLack()
 {
   if (this->Structured)
@@ -129,15 +130,16 @@ void VariantKey::dropWhatLatticesLack()
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   this->Octree = this->Octree && this->Structured && !this->PointScalars;
-  this->Slabs = this->Slabs && this->Structured;
+  // As many values as leaves can have numbers fit into a texture.
+  this->Slabs = this->Slabs && this->Structured && !this->Octree;
   // Extremes and sums need all cells on a ray. Surfaces between constant cells are in no cell.
   this->Leaps = this->Leaps && this->Structured && !this->Octree && !this->isKnownAtEnd() &&
                 (this->isComposite() || this->PointScalars);
   // Volumes that are mostly transparent have transparent blocks.
   this->TransparentRanges = this->TransparentRanges && (this->Leaps || !this->Structured);
   // Other blend modes are exact at each level, and samples have one scalar.
-  this->PointSampled = this->PointSampled && this->Structured && this->isComposite() &&
-                       this->Components == ComponentGroup::Single;
+  this->PointSampled = this->PointSampled && this->Structured && !this->Octree &&
+                       this->isComposite() && this->Components == ComponentGroup::Single;
   this->Adaptive = this->Adaptive && !this->PointSampled;
 }
 

@@ -67,6 +67,8 @@ public:
   virtual bool showsNothing() const = 0;
   /** An image or a rectilinear grid, in whose cells the scalar bends along a ray. */
   virtual bool isStructured() const = 0;
+  /** It may be sampled at even distances. */
+  virtual bool takesSamples() const { return false; }
   /** A ray may leave the volume and enter it again. */
   virtual bool mayReenter() const = 0;
   /** The ranges of the scalars that are drawn with the first one. */

@@ -55,6 +55,7 @@ public:
   }
   bool showsNothing() const override { return this->emptySpace().EmptyShare == 1; }
   bool isStructured() const override { return true; }
+  bool takesSamples() const override { return !this->Leaves; }
   bool mayReenter() const override { return false; }
   const std::vector<ScalarRange>& extraRanges() const override { return this->ExtraRanges; }
   /** Cells of which nothing is seen are leapt over or skipped, if there are blocks of them. */
