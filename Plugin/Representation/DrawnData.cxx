@@ -27,7 +27,7 @@ namespace tetmarch
 namespace
 {
 
-// Null if the data is no data set and no vtkHyperTreeGrid.
+// Null if the data is no data set, and no vtkHyperTreeGrid that is to be changed.
 vtkSmartPointer<vtkDataSet> copyOfDataSet(
   vtkDataObject* data, const std::function<void(vtkDataSet*)>& change)
 {
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkDataSet> copyOfDataSet(
     copy.TakeReference(grid->NewInstance());
     copy->ShallowCopy(grid);
   }
-  else if (vtkHyperTreeGrid::SafeDownCast(data))
+  else if (change && vtkHyperTreeGrid::SafeDownCast(data))
   {
     vtkNew<vtkHyperTreeGridToUnstructuredGrid> leaves;
     leaves->SetInputDataObject(data);
@@ -144,7 +144,8 @@ vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelec
   {
     return copy;
   }
-  if (vtkUniformGridAMR::SafeDownCast(input) || isCellGrid(input))
+  if (vtkUniformGridAMR::SafeDownCast(input) || vtkHyperTreeGrid::SafeDownCast(input) ||
+      isCellGrid(input))
   {
     auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
     copy->ShallowCopy(input);
@@ -160,7 +161,7 @@ vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelec
   for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
   {
     vtkDataObject* block = at->GetCurrentDataObject();
-    if (!isCellGrid(block) && (change || vtkHyperTreeGrid::SafeDownCast(block)))
+    if (change && !isCellGrid(block))
     {
       selected->SetDataSet(at, copyOfDataSet(block, change));
     }
@@ -174,6 +175,11 @@ vtkBoundingBox boundsOf(vtkDataObject* data)
   if (auto* grid = vtkDataSet::SafeDownCast(data))
   {
     return boundsOfDataSet(grid);
+  }
+  if (auto* trees = vtkHyperTreeGrid::SafeDownCast(data))
+  {
+    const double* bounds = trees->GetBounds();
+    return bounds ? vtkBoundingBox(bounds) : box;
   }
   if (isCellGrid(data))
   {

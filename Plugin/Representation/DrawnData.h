@@ -19,14 +19,15 @@ namespace tetmarch
 
 /**
  * Whether vtkTetMarchVolumeMapper draws such data: a grid of any cells, curvilinear or explicit, a
- * tree of blocks, or an adaptive mesh; or whether copyToDraw() makes a grid of it.
+ * tree of blocks, an adaptive mesh or a cell grid.
  */
 bool isDrawnAsMesh(vtkDataObject* data);
 
 /**
  * A shallow copy of the input; of a tree with its selected blocks. `change`, if given, is called
- * with each data set of the copy and may add arrays to it; not with those of an adaptive mesh. Of a
- * vtkHyperTreeGrid an unstructured grid of its leaves. Null if the input is none of these.
+ * with each data set of the copy and may add arrays to it; not with those of an adaptive mesh, and
+ * of a vtkHyperTreeGrid with an unstructured grid of its leaves. Null if the input is none of
+ * these.
  */
 vtkSmartPointer<vtkDataObject> copyToDraw(vtkDataObject* input, const BlockSelection& selection,
   const std::function<void(vtkDataSet*)>& change);

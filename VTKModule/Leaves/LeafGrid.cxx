@@ -50,6 +50,7 @@ vtkDataArray* scalarsOf(vtkHyperTreeGrid* tree, const ScalarSelection& selection
   return array && place == 1 && array->GetNumberOfComponents() > 0 ? array : nullptr;
 }
 
+// Whether the block has values as the first one has them.
 bool isReadable(const Block& block, const Block& first)
 {
   auto* image = vtkImageData::SafeDownCast(block.Data);
@@ -179,13 +180,17 @@ bool LeafGrid::readInput(vtkDataObject* data, const ScalarSelection& selection, 
     std::remove_if(blocks.begin(), blocks.end(), [](const Block& b) { return !hasLeaves(b); }),
     blocks.end());
   input.Shape = shapeOf(blocks);
-  return !blocks.empty() && blocks.front().Scalars &&
-         std::all_of(
-           blocks.begin(), blocks.end(), [&](const Block& b) { return isReadable(b, blocks[0]); });
+  return !blocks.empty() && blocks.front().Scalars;
 }
 
 void LeafGrid::place(const Input& input)
 {
+  const std::vector<Block>& blocks = input.Blocks;
+  if (input.Levels && !std::all_of(blocks.begin(), blocks.end(),
+                        [&](const Block& block) { return isReadable(block, blocks.front()); }))
+  {
+    return;
+  }
   LeafList list;
   LeafAxes axes;
   const std::string error = input.Tree ? listLeaves(input.Tree, list, axes)
@@ -204,7 +209,7 @@ void LeafGrid::place(const Input& input)
   }
   std::vector<vtkIdType> begins{ 0 };
   this->Origins = {};
-  for (const Block& block : input.Blocks)
+  for (const Block& block : blocks)
   {
     const vtkIdType count = block.Scalars->GetNumberOfTuples();
     begins.push_back(begins.back() + count);
@@ -272,7 +277,8 @@ void LeafGrid::make(const Input& input)
     return;
   }
   const StageRecorder recorder(this->Record);
-  if (!this->Places || input.Shape != this->Shape)
+  // Other arrays may be unsound, or of other types.
+  if (input.Levels || !this->Places || input.Shape != this->Shape)
   {
     this->Places = nullptr;
     this->Values = nullptr;
