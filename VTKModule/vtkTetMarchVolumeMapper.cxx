@@ -88,8 +88,7 @@ std::string vtkTetMarchVolumeMapper::RenderInput(
   }
   std::string error;
   vtkDataSet* grid = this->FindGrid(error);
-  internal.dropOthers();
-  window->MakeCurrent();
+  internal.dropOthers(window);
   return grid || internal.isShared() ? this->RenderGrid(grid, error, window, renderer, volume)
                                      : error;
 }
@@ -137,18 +136,19 @@ void vtkTetMarchVolumeMapper::Internals::recordStatistics()
 }
 
 //------------------------------------------------------------------------------
-void vtkTetMarchVolumeMapper::Internals::dropOthers()
+void vtkTetMarchVolumeMapper::Internals::dropOthers(vtkOpenGLRenderWindow* window)
 {
-  const tetmarch::VolumeInput nothing{ this->NoCells };
   if (!this->drawsLeaves() && !this->OfLeaves.Volume.isEmpty())
   {
     this->OfLeaves.Pipeline.releaseWhereHeld();
     this->OfLeaves.Volume.updateGeometry({}, {}, {});
+    window->MakeCurrent();
   }
   if (this->drawsLeaves() && !this->Tets.isEmpty())
   {
     this->OfTets.releaseWhereHeld();
-    this->Tets.updateGeometry(nothing, {}, {});
+    this->Tets.updateGeometry({ this->NoCells }, {}, {});
+    window->MakeCurrent();
   }
 }
 

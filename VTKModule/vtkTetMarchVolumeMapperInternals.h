@@ -55,8 +55,8 @@ public:
     return this->drawsLeaves() ? static_cast<tetmarch::MarchedVolume&>(this->OfLeaves.Volume)
                                : this->Tets;
   }
-  /** Free what is not drawn now. */
-  void dropOthers();
+  /** Free what is not drawn now. The window's context stays current. */
+  void dropOthers(vtkOpenGLRenderWindow* window);
 
   tetmarch::MapperState State;
   tetmarch::TetVolume Tets;

@@ -1,6 +1,6 @@
-// The step from cell to cell of a lattice, or from leaf to leaf of an octree. A trilinear cell is crossed in up to three parts, and the scalar is
-// monotonic in each part. With several components there are up to nine parts; each scalar with a table is monotonic in
-// each part.
+// The step from cell to cell of a lattice, or from leaf to leaf of an octree. A trilinear cell is crossed in up to three
+// parts, and the scalar is monotonic in each part. With several components there are up to nine parts; each scalar with
+// a table is monotonic in each part.
 
 CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
 {

@@ -83,7 +83,7 @@ TEST(Octree, FindsTheLeafOfEachPlace)
   for (const std::size_t leaves : { std::size_t(1), boxes.size(), numbers.size() })
   {
     SCOPED_TRACE(leaves);
-    OctreeBuilder builder(places, leaves, width, outside);
+    OctreeBuilder builder(places, leaves, outside);
     for (std::size_t b = 0; b < boxes.size(); ++b)
     {
       ASSERT_TRUE(builder.add(boxes[b], static_cast<std::uint32_t>(b)));
@@ -109,7 +109,7 @@ TEST(Octree, FindsTheLeafOfEachPlace)
 
 TEST(Octree, RefusesWhatIsNone)
 {
-  OctreeBuilder builder({ { 32, 32, 32 } }, 64, 8, 100);
+  OctreeBuilder builder({ { 32, 32, 32 } }, 64, 100);
   ASSERT_TRUE(builder.add({ { { 8, 0, 0 } }, 4 }, 0));
   ASSERT_TRUE(builder.add({ { { 16, 0, 0 } }, 16 }, 1));
   const OctreeBox bad[] = {

@@ -98,24 +98,13 @@ GridGeometry geometryOf(const LeafAxes& axes)
   return geometry;
 }
 
-int widestOf(const std::vector<Leaf>& leaves)
-{
-  int widest = 1;
-  for (const Leaf& leaf : leaves)
-  {
-    widest = std::max(widest, leaf.Size[0]);
-  }
-  return widest;
-}
-
 // False if they don't make an octree.
 bool placeLeaves(const std::vector<Leaf>& leaves, LeafPlaces& places)
 {
   const std::array<int, 3>& points = places.Geometry.Points;
   const std::array<int, 3> count{ { points[0] - 1, points[1] - 1, points[2] - 1 } };
   places.Count = leaves.size();
-  OctreeBuilder builder(
-    count, leaves.size(), widestOf(leaves), static_cast<std::uint32_t>(leaves.size()));
+  OctreeBuilder builder(count, leaves.size(), static_cast<std::uint32_t>(leaves.size()));
   double filled = 0;
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {

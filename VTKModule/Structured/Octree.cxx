@@ -29,11 +29,11 @@ std::size_t nodesOf(const std::array<int, 3>& size)
 } // namespace
 
 OctreeBuilder::OctreeBuilder(
-  const std::array<int, 3>& places, std::size_t leaves, int widestLeaf, std::uint32_t outside)
+  const std::array<int, 3>& places, std::size_t leaves, std::uint32_t outside)
   : Outside(LeafBit | outside)
 {
   int& shift = this->Made.Shift;
-  while (nodesOf(tableSize(places, shift)) > leaves && 1 << shift < widestLeaf)
+  while (nodesOf(tableSize(places, shift)) > leaves)
   {
     ++shift;
   }

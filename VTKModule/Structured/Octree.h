@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace tetmarch
@@ -40,11 +41,9 @@ struct OctreeBox
 class OctreeBuilder
 {
 public:
-  /** Places along the axes, and about how many leaves there will be: the table has no more nodes,
-   * but at least one for each cube of the given width, a power of 2. What no leaf takes has the
-   * number `outside`. */
-  OctreeBuilder(
-    const std::array<int, 3>& places, std::size_t leaves, int widestLeaf, std::uint32_t outside);
+  /** Places along the axes, at most 2^30, and about how many leaves there will be, at least one:
+   * the table has no more nodes. What no leaf takes has the number `outside`. */
+  OctreeBuilder(const std::array<int, 3>& places, std::size_t leaves, std::uint32_t outside);
 
   /** False if it is no cube whose width is a power of 2 and divides its place, if another leaf has
    * a part of it, or if the number is too large. */
