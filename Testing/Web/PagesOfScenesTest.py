@@ -34,7 +34,7 @@ SCENES = {
                              "*BytesAndWords/DirectColor", 24),
     "Light": ("LightParity/Lattice.BehindTransparentCells:LightParity/Mesh.EachKindOfScalars:"
               "OpaqueShadowPicture.OfABallInside:*LightThroughCuts*AtVertices", 20),
-    "Grids": ("Curvilinear.BlankedCellsAndChanges", 1),
+    "Grids": ("Curvilinear.BlankedCellsAndChanges:Leaves.LightIsThatOfTheGroundTruth", 2),
     "Slabs": ("Slabs.LightOfAllKinds:Slabs.BlendModesAndSamples", 14),
     "Structured": ("StructuredLight.ShadowsAlongRays", 3),
     "Kernel": ("", 0), "Component": ("", 0), "Sampled": ("", 0),
