@@ -38,15 +38,15 @@
  * adaptive mesh the finest cells are drawn; those of a vtkHyperTreeGrid are its leaves, numbered in
  * their order. If they are not in blocks of another tree, have values of cells and differ in width
  * by powers of two, rays march through an octree of them, without tetrahedra. Of a vtkCellGrid the
- * cells in three dimensions are drawn, type by type in the order of their names; its nodal fields are arrays of points or of cells, as one asks. Blocks are joined
- * into one grid, so that rays continue from one block to the next. They may be any data sets with
- * 3D cells, also images and rectilinear grids, whose cells are decomposed into tetrahedra. Points
- * of different blocks are identified by global point ids if all blocks have them, else by equal
- * coordinates to the last bit. If such points have different scalars, each block keeps its own,
- * unless its point is a duplicate by vtkGhostType. Blocks without the chosen array are left out
- * with a warning that names them. The joined grid is updated when blocks have changed, and takes
- * memory in addition to them. GetInput() is null for other input than a vtkUnstructuredGrid;
- * GetDataObjectInput() is not.
+ * cells in three dimensions are drawn, type by type in the order of their names; its nodal fields
+ * are arrays of points or of cells, as one asks. Blocks are joined into one grid, so that rays
+ * continue from one block to the next. They may be any data sets with 3D cells, also images and
+ * rectilinear grids, whose cells are decomposed into tetrahedra. Points of different blocks are
+ * identified by global point ids if all blocks have them, else by equal coordinates to the last
+ * bit. If such points have different scalars, each block keeps its own, unless its point is a
+ * duplicate by vtkGhostType. Blocks without the chosen array are left out with a warning that names
+ * them. The joined grid is updated when blocks have changed, and takes memory in addition to them.
+ * GetInput() is null for other input than a vtkUnstructuredGrid; GetDataObjectInput() is not.
  *
  * The stages (mesh, scalars, transfer function tables, camera) run again only when their input has
  * changed; Get...Builds() counts the runs. A mesh in new arrays is compared by the values of its
