@@ -126,9 +126,10 @@ def measure(cells, size, rounds):
         bytes_of_gpu = mapper.GetLastFrameStatistics().GetGPUMemoryBytes() / leaves if ours else 0
         crossed = crossed_cells(each)
         text += row([name, f"{each.first:.2f}", f"{medians[name]:.3f}",
-                     f"{1e9 * medians[name] / crossed:.1f}" if crossed else "", f"{bytes_of_gpu:.0f}" if ours else "", f"{errors[name]:.1e}"])
-    return f"{leaves:,} leaves; the image has {finest}^3 cells\n\n" + row(
-        ["drawn", "first frame, s", "frame, s", "a crossed cell, ns", "bytes a leaf", "RMS"]) + "|---|" + "---:|" * 5 + "\n" + text
+                     f"{1e9 * medians[name] / crossed:.1f}" if crossed else "",
+                     f"{bytes_of_gpu:.0f}" if ours else "", f"{errors[name]:.1e}"])
+    head = row(["drawn", "first frame, s", "frame, s", "a crossed cell, ns", "bytes a leaf", "RMS"])
+    return f"{leaves:,} leaves; the image has {finest}^3 cells\n\n{head}|---|{'---:|' * 5}\n{text}"
 
 
 def main():

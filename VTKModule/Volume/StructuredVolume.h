@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An image, a rectilinear grid or the leaves of an octree with what is drawn of it: the stages that
-// make it, each of which runs again only when its own input changed.
+// An image, a rectilinear grid or the leaves of an octree, and what is drawn of it. Stages make it;
+// a stage runs again if its input has changed.
 #ifndef TetMarchVolumeStructuredVolume_h
 #define TetMarchVolumeStructuredVolume_h
 

@@ -255,7 +255,7 @@ TEST(Leaves, ArePicked)
   }
 }
 
-// What is drawn as leaves is drawn as tetrahedra after a change of the input, and the other way.
+// An input of leaves may follow one of tetrahedra, or precede it. Memory of the other is freed.
 TEST(Leaves, ComeAndGo)
 {
   const LeafTrees made = wavyTrees();
