@@ -69,7 +69,7 @@ void MarchedCase::makeAnswers()
     }
   }
   // A box without inner surfaces needs none of them.
-  if (hard.Known != Answer::Box || this->Mesh.NeedsHierarchy)
+  if (hard.Known != Answer::Box || this->Mesh.MayReenter)
   {
     const std::size_t tets = this->Mesh.Tets.size();
     const int together = tets < 50000 ? DisplacementsTogether : 0;

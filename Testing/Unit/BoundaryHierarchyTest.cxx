@@ -107,7 +107,8 @@ TEST(BoundaryHierarchy, ManyFacesInOnePlace)
   {
     grid = joined(grid, grid);
   }
-  const TetMesh mesh = builtApart(grid);
+  TetMesh mesh = builtApart(grid);
+  ensureHierarchy(mesh);
   EXPECT_EQ(mesh.BoundaryFaces.size(), 4u * 512);
   checkTrees(mesh);
 }
@@ -115,7 +116,8 @@ TEST(BoundaryHierarchy, ManyFacesInOnePlace)
 // Several of its subtrees are built in threads.
 TEST(BoundaryHierarchy, ManyFaces)
 {
-  const TetMesh mesh = builtApart(withRepeatedPoints(jitteredLattice(12)));
+  TetMesh mesh = builtApart(withRepeatedPoints(jitteredLattice(12)));
+  ensureHierarchy(mesh);
   EXPECT_EQ(mesh.BoundaryFaces.size(), 4u * 6 * 12 * 12 * 12);
   checkTrees(mesh);
 }

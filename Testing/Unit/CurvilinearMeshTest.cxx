@@ -96,7 +96,7 @@ TEST(CurvilinearMesh, IsThatOfItsHexahedra)
       expectConventions(mesh);
       EXPECT_EQ(tetsOf(mesh), tetsOf(stored));
       EXPECT_EQ(facesOf(mesh), facesOf(stored));
-      EXPECT_EQ(mesh.NeedsHierarchy, stored.NeedsHierarchy);
+      EXPECT_EQ(mesh.MayReenter, stored.MayReenter);
       TetMesh searched = mesh;
       ensureHierarchy(searched);
       expectConventions(searched);

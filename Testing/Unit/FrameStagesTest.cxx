@@ -5,6 +5,7 @@
 #include "Frame/FrameScene.h"
 #include "Frame/NothingVisible.h"
 
+#include "NonConvexGrids.h"
 #include "StagedFrame.h"
 
 #include "vtkContourValues.h"
@@ -236,4 +237,44 @@ TYPED_TEST(FrameStagesOf, AreDrawnByTheReference)
   options.InDouble = false;
   EXPECT_NEAR(made.trace(options).Color[3], trace.Color[3], 1e-4);
 }
+// Lists tell where rays of pixels enter a mesh, unless the camera is inside.
+TEST(FrameStages, TheHierarchyIsMadeWhenRaysSearchInIt)
+{
+  using Frame = StagedFrame<TetVolume>;
+  const struct
+  {
+    const char* What;
+    void (*Change)(Frame&);
+    bool IfConvex, IfConcave;
+  } cases[] = {
+    { "a picture from outside", [](Frame&) {}, false, false },
+    { "surfaces in light", [](Frame& frame) { frame.shine(3, 4, 1); }, false, false },
+    { "shadows at vertices", [](Frame& frame) { frame.castShadow(); }, false, true },
+    { "shadows along rays", [](Frame& frame) { frame.castShadow(ShadowMethod::AlongRays); }, false,
+      true },
+    { "ambient occlusion",
+      [](Frame& frame)
+      {
+        frame.shine(3, 4, 1);
+        frame.Input.Effects.Occlusion = true;
+      },
+      false, true },
+    { "a camera inside",
+      [](Frame& frame) { frame.Renderer->GetActiveCamera()->SetPosition(0.4, 0.4, 0.4); }, true,
+      true },
+  };
+  for (const auto& each : cases)
+  {
+    for (const bool isConvex : { true, false })
+    {
+      SCOPED_TRACE(std::string(each.What) + (isConvex ? ", convex" : ", concave"));
+      Frame frame;
+      frame.draw(isConvex ? jitteredLattice(2) : lShape(2));
+      each.Change(frame);
+      EXPECT_TRUE(frame.update().isDone());
+      EXPECT_EQ(frame.Marched.mesh().hasHierarchy(), isConvex ? each.IfConvex : each.IfConcave);
+    }
+  }
+}
+
 } // namespace

@@ -71,7 +71,7 @@ TEST_F(Joined, BlocksAreWhatTheyWereCutFrom)
         const TetMesh mesh = meshOf(this->grid());
         EXPECT_EQ(mesh.Tets.size(), whole.Tets.size());
         EXPECT_EQ(mesh.BoundaryFaces.size(), whole.BoundaryFaces.size());
-        EXPECT_EQ(mesh.NeedsHierarchy, whole.NeedsHierarchy);
+        EXPECT_EQ(mesh.MayReenter, whole.MayReenter);
         ASSERT_EQ(this->Blocks.scalars()->GetNumberOfTuples(), whole.NumberOfPoints);
         EXPECT_EQ(this->Blocks.omissions(), "");
       }

@@ -123,7 +123,7 @@ void expectSameMesh(const TetMesh& moved, const TetMesh& anew)
   EXPECT_EQ(moved.Frame.Center, anew.Frame.Center);
   EXPECT_EQ(moved.Frame.Radius, anew.Frame.Radius);
   EXPECT_EQ(moved.Frame.HalfExtent, anew.Frame.HalfExtent);
-  EXPECT_EQ(moved.NeedsHierarchy, anew.NeedsHierarchy);
+  EXPECT_EQ(moved.MayReenter, anew.MayReenter);
   EXPECT_EQ(moved.Hierarchy.empty(), anew.Hierarchy.empty());
   EXPECT_EQ(moved.ReentryFaces, anew.ReentryFaces);
   EXPECT_EQ(describe(moved.Report), describe(anew.Report));
@@ -167,13 +167,14 @@ TEST(MovedPoints, FromConvexToConcaveAndBack)
 {
   const Grid cube = jitteredLattice(4, 0.0);
   TetMesh mesh = built(cube);
-  EXPECT_FALSE(mesh.NeedsHierarchy);
+  EXPECT_FALSE(mesh.MayReenter);
   for (int i = 0; i < 2; ++i)
   {
     ASSERT_TRUE(movePoints(bent(cube, 0.3), mesh));
-    EXPECT_TRUE(mesh.NeedsHierarchy);
+    EXPECT_TRUE(mesh.MayReenter);
+    ensureHierarchy(mesh);
     ASSERT_TRUE(movePoints(cube, mesh));
-    EXPECT_FALSE(mesh.NeedsHierarchy);
+    EXPECT_FALSE(mesh.MayReenter);
     EXPECT_TRUE(mesh.Hierarchy.empty());
     expectSameMesh(mesh, built(cube));
   }

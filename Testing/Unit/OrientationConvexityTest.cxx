@@ -145,7 +145,7 @@ TEST(Convexity, ConvexMeshes)
   EXPECT_TRUE(isConvex(built(quadraticTetLattice(2, 0.1))));
   EXPECT_TRUE(isConvex(built(withOffsetAndScale(jitteredLattice(4), { 1e6, 1e6, -1e6 }, 1.0))));
   EXPECT_TRUE(isConvex(built(splitFacePolyhedron())));
-  EXPECT_FALSE(built(jitteredLattice(2)).hasHierarchy());
+  EXPECT_FALSE(built(jitteredLattice(2)).MayReenter);
 }
 
 TEST(Convexity, MeshesThatRaysCanLeaveAndEnterAgain)
@@ -158,7 +158,7 @@ TEST(Convexity, MeshesThatRaysCanLeaveAndEnterAgain)
   EXPECT_FALSE(isConvex(built(twoTetsSharingEdge())));
   EXPECT_FALSE(isConvex(built(twoTetsSharingVertex())));
   EXPECT_FALSE(isConvex(built(hexagonalPrismLattice(2))));
-  EXPECT_TRUE(built(lShape(2)).hasHierarchy());
+  EXPECT_TRUE(built(lShape(2)).MayReenter);
   // Two boxes, each convex, in two places.
   EXPECT_FALSE(isConvex(
     built(joined(jitteredLattice(2), withOffsetAndScale(jitteredLattice(2), { 5, 0, 0 }, 1)))));

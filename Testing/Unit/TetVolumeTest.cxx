@@ -123,7 +123,7 @@ TEST_F(TetVolumes, AnotherMeshNeedsItsScalars)
 
 TEST_F(TetVolumes, TheHierarchyIsNewLinks)
 {
-  this->Data = jitteredLattice(3, 0.0); // convex: it has none yet
+  this->Data = jitteredLattice(3, 0.0);
   this->Drawn = { this->array() };
   this->expectRuns(1, 1);
   ASSERT_FALSE(this->Volume.mesh().hasHierarchy());

@@ -189,7 +189,9 @@ std::string FrameStages::updateView(const FrameInput& input)
   {
     return "The matrix of the volume or of the camera is singular or not finite.";
   }
-  return this->Camera.CutsNearPlane ? this->prepareEntrySearch() : std::string();
+  const bool lightReenters =
+    this->Marched.mayReenter() && this->Effects.data().Lights.hasVolumeLight();
+  return this->Camera.CutsNearPlane || lightReenters ? this->prepareEntrySearch() : std::string();
 }
 
 std::string FrameStages::prepareEntrySearch()

@@ -5,7 +5,6 @@
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/CurvilinearHand.h"
-#include "Mesh/HalfFaceLinks.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/SharedVertices.h"
 #include "Mesh/VertexPlaces.h"
@@ -92,12 +91,7 @@ BuildStatus buildCurvilinearMesh(
     mesh = {};
     return BuildStatus::Done;
   }
-  mesh.NeedsHierarchy = !isConvex(mesh);
-  if (mesh.NeedsHierarchy)
-  {
-    buildHierarchy(mesh);
-    linkBoundary(mesh);
-  }
+  mesh.MayReenter = !isConvex(mesh);
   return progress && !progress(1.0) ? BuildStatus::Stopped : BuildStatus::Done;
 }
 

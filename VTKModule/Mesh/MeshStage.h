@@ -33,7 +33,7 @@ public:
    */
   std::string make(vtkPointSet* grid, const ResourceLimits& limits, const Progress& progress,
     const PieceOptions& piece = {});
-  /** Add the hierarchy of a convex mesh. Returns an empty string, or an error; the mesh is then
+  /** Add the hierarchy. Returns an empty string, or an error; the mesh is then
    * unchanged. */
   std::string addHierarchy();
 

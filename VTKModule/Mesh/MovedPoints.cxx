@@ -3,7 +3,6 @@
 #include "Mesh/MovedPoints.h"
 
 #include "Input/PointCheck.h"
-#include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/CoincidentPoints.h"
 #include "Mesh/ConsistentOrientation.h"
 #include "Mesh/Convexity.h"
@@ -102,11 +101,7 @@ bool movePoints(vtkUnstructuredGrid* grid, TetMesh& mesh)
   mesh.Hierarchy.clear();
   mesh.ReentryNodes = 0;
   mesh.ReentryFaces = 0;
-  mesh.NeedsHierarchy = !isConvex(mesh);
-  if (mesh.NeedsHierarchy)
-  {
-    buildHierarchy(mesh);
-  }
+  mesh.MayReenter = !isConvex(mesh);
   linkBoundary(mesh);
   return true;
 }

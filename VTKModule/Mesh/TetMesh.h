@@ -61,8 +61,8 @@ struct TetMesh
   MeshArray<VerticesOfTets> Tets;
   MeshArray<LinksOfHalfFaces> Links;
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the half-face inside
-  std::vector<HierarchyNode> Hierarchy;         // may be empty if no ray needs it
-  bool NeedsHierarchy = false;                  // rays may reenter
+  std::vector<HierarchyNode> Hierarchy;         // empty until a ray needs it
+  bool MayReenter = false;                      // rays may
   std::size_t ReentryNodes = 0;                 // nodes [0, ReentryNodes) cover the faces that are
   std::size_t ReentryFaces = 0;                 // not on the hull; their number
   std::vector<Vertex> Vertices;

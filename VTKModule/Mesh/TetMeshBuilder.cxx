@@ -41,11 +41,7 @@ BuildStatus buildTetMesh(vtkUnstructuredGrid* grid, const Progress& progress, Te
             "vtkStaticCleanUnstructuredGrid merges points within a tolerance.";
     return BuildStatus::Failed;
   }
-  mesh.NeedsHierarchy = !isConvex(mesh);
-  if (mesh.NeedsHierarchy)
-  {
-    buildHierarchy(mesh);
-  }
+  mesh.MayReenter = !isConvex(mesh);
   linkBoundary(mesh);
   return progress && !progress(1.0) ? BuildStatus::Stopped : BuildStatus::Done;
 }

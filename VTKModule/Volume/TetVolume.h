@@ -45,7 +45,7 @@ public:
   }
   bool showsNothing() const override { return tetmarch::showsNothing(this->visiblePart()); }
   bool isStructured() const override { return false; }
-  bool mayReenter() const override { return this->mesh().NeedsHierarchy; }
+  bool mayReenter() const override { return this->mesh().MayReenter; }
   const std::vector<ScalarRange>& extraRanges() const override
   {
     return this->Scalars.Extra.Ranges;
