@@ -15,6 +15,7 @@
 #include "vtkTetMarchSettings.h"
 #include "vtkTetMarchSmartVolumeMapper.h"
 #include "vtkTetMarchVolumeMapper.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -112,8 +113,9 @@ void vtkTetMarchFirstPicture::Internals::findBlocks()
     this->Blocks.begin(), this->Blocks.end(), std::back_inserter(solid), tetmarch::hasSolidCells);
   this->Blocks = solid.empty() ? this->Blocks : solid;
   int n[3];
-  this->Lattices = std::all_of(this->Blocks.begin(), this->Blocks.end(),
-    [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });
+  this->Lattices = !vtkUniformGridAMR::SafeDownCast(this->Drawn) &&
+                   std::all_of(this->Blocks.begin(), this->Blocks.end(),
+                     [&n](vtkDataSet* block) { return tetmarch::isLattice(block, n); });
   this->Outline = tetmarch::outlinePoints(this->Blocks);
   this->Plane = tetmarch::choosePlane(this->Outline);
 }

@@ -130,7 +130,7 @@ public:
   //@{
   /**
    * The opacity law, see vtkTetMarchSettings::SetOpacityLaw. OF_THE_DATA, the default: STRUCTURED
-   * for images and rectilinear grids, UNSTRUCTURED for all others.
+   * for images and rectilinear grids, UNSTRUCTURED for all others, adaptive meshes among them.
    */
   vtkSetClampMacro(OpacityLaw, int, OF_THE_DATA, STRUCTURED);
   vtkGetMacro(OpacityLaw, int);

@@ -30,7 +30,7 @@ struct vtkTetMarchFirstPicture::Internals
   std::string Fault; // of the data
   std::vector<vtkSmartPointer<vtkDataSet>> Owned;
   std::vector<vtkDataSet*> Blocks; // all of these
-  bool Lattices = false;           // images and rectilinear grids, all of them
+  bool Lattices = false;           // images and rectilinear grids, all of them, not adaptive
   std::vector<tetmarch::Vector3> Outline;
   tetmarch::PicturePlane Plane;
   tetmarch::DrawnArray Chosen;

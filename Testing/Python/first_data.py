@@ -171,6 +171,31 @@ def blocks():
     return tree
 
 
+def a_collapse():
+    """As of a forming star in waves of gas: each level is half as wide as the last, and values grow to 20,000."""
+    def density(p):
+        return 2 + math.sin(9 * p[0]) * math.cos(7 * p[1]) + (0.15 / radius(p))**2
+
+    levels, cells = 7, 8
+    mesh = vtk.vtkOverlappingAMR()
+    mesh.Initialize(levels, [1] * levels)
+    mesh.SetOrigin([0, 0, 0])
+    mesh.SetGridDescription(vtk.VTK_XYZ_GRID)
+    for level in range(levels):
+        width, low = 2**-level / cells, cells // 2 * (2**level - 1)
+        block = vtk.vtkUniformGrid()
+        block.SetDimensions([cells + 1] * 3)
+        block.SetOrigin([low * width] * 3)
+        block.SetSpacing([width] * 3)
+        centers = ([(low + n // cells**k % cells + 0.5) * width - 0.5 for k in range(3)] for n in range(cells**3))
+        block.GetCellData().AddArray(array("density", [density(p) for p in centers]))
+        mesh.SetSpacing(level, [width] * 3)
+        mesh.SetAMRBox(level, 0, vtk.vtkAMRBox([low] * 3, [low + cells - 1] * 3))
+        mesh.SetDataSet(level, 0, block)
+    vtk.vtkAMRUtilities.BlankCells(mesh)
+    return mesh
+
+
 def one_tetrahedron():
     grid = vtk.vtkUnstructuredGrid()
     points = vtk.vtkPoints()
@@ -183,4 +208,4 @@ def one_tetrahedron():
 
 ALL = (flow, scan, hexahedra_with_cell_scalars, quadratic_cells, thin_plate, values_over_many_sizes, constant,
        far_and_small, outliers, with_nan, vectors, integers_with_air, rectilinear, curvilinear, blocks,
-       one_tetrahedron)
+       a_collapse, one_tetrahedron)
