@@ -63,6 +63,11 @@ TEST_F(AdaptiveReader, LeavesOfTrees)
   const auto between = this->Read<vtkUnstructuredGrid>(path, AnyContinuous, 1);
   ASSERT_TRUE(between);
   EXPECT_GT(between->GetNumberOfPoints(), tree->GetNumberOfLeaves());
+  // Mappers march through the leaves of the tree itself.
+  const auto constant = ReadVolume(path, std::nullopt, {}, AnyConstant);
+  EXPECT_TRUE(vtkHyperTreeGrid::SafeDownCast(constant.GetMapperInput()));
+  const auto continuous = ReadVolume(path, std::nullopt, {}, AnyContinuous);
+  EXPECT_EQ(continuous.GetMapperInput(), continuous.Input.Get());
   EXPECT_TRUE(tetmarch::ListFaults(path, std::nullopt).empty());
 }
 

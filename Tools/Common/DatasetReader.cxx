@@ -17,6 +17,7 @@
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -229,6 +230,10 @@ VolumeData ReadVolume(const std::string& path, std::optional<int> timeStep,
   const FileContents contents = ReadFile(path, timeStep, rawOptions, report);
   VolumeData volume;
   volume.Adaptive = IsAdaptive(contents.Data);
+  if (!wanted.Continuous)
+  {
+    volume.HyperTree = vtkHyperTreeGrid::SafeDownCast(contents.Data);
+  }
   const auto data = ConvertAdaptive(contents.Data, wanted.Continuous);
   CheckData(data, path);
   const auto blocks = GetSolidBlocks(data, path);

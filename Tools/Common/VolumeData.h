@@ -29,8 +29,8 @@ struct WantedArray
 
 struct VolumeData
 {
-  /// Of the mapper: an unstructured or curvilinear grid, an image, a rectilinear grid, a tree of
-  /// the latter two, or AMR.
+  /// An unstructured or curvilinear grid, an image, a rectilinear grid, a tree of the latter two,
+  /// or AMR.
   vtkSmartPointer<vtkDataObject> Input;
   /// The blocks of the tree, or the only one.
   std::vector<vtkDataSet*> Blocks;
@@ -41,6 +41,14 @@ struct VolumeData
   /// Of the file, and the one that was read. No times: the file has no time steps.
   std::vector<double> Times{};
   int TimeStep = 0;
+  /// The vtkHyperTreeGrid whose leaves are the cells of the input; or null.
+  vtkSmartPointer<vtkDataObject> HyperTree{};
+
+  /// Of the mapper, which marches through the leaves of a tree.
+  vtkDataObject* GetMapperInput() const
+  {
+    return this->HyperTree ? this->HyperTree : this->Input;
+  }
 };
 
 /// Of an image or a rectilinear grid.

@@ -89,7 +89,7 @@ void Picture::SetUpWindow()
 
 void Picture::SetData(const VolumeData& data)
 {
-  this->Mapper->SetInput(data.Input);
+  this->Mapper->SetInput(data.GetMapperInput());
   this->Beside->SetBounds(GetBounds(data));
   this->Renderer->ResetCameraClippingRange();
 }

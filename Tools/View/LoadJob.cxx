@@ -64,7 +64,7 @@ std::shared_ptr<AnyMapper> PrepareMapper(
   const Prepared& volume, double geometryTolerance, const ProgressReport& report)
 {
   std::shared_ptr<AnyMapper> mapper = MakeMapper(false);
-  mapper->SetInput(volume.Data.Input);
+  mapper->SetInput(volume.Data.GetMapperInput());
   mapper->GetSettings()->SetGeometryTolerance(geometryTolerance);
   // Which of several blocks are drawn depends on it.
   mapper->SelectArray(

@@ -104,7 +104,8 @@ std::string WriteData(const DataState& data, bool structured)
   if (!structured)
   {
     text += "if not isinstance(data, (vtk.vtkUnstructuredGrid, vtk.vtkStructuredGrid, "
-            "vtk.vtkCompositeDataSet)):\n"
+            "vtk.vtkHyperTreeGrid,\n"
+            "                         vtk.vtkCompositeDataSet)):\n"
             "    tree = vtk.vtkMultiBlockDataSet()\n"
             "    tree.SetBlock(0, data)\n"
             "    data = tree\n";

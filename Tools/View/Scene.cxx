@@ -77,7 +77,7 @@ void Scene::SetData(const Prepared& data, const std::shared_ptr<AnyMapper>& mapp
     this->SetMapper(MakeMapper(data.Data.Structured));
   }
   this->Structured = data.Data.Structured;
-  this->Mapper->SetInput(data.Data.Input);
+  this->Mapper->SetInput(data.Data.GetMapperInput());
 
   vtkTetMarchFirstPicture* choice = data.Choice;
   state.Data.Array = choice->GetChosenArray()->GetName();
