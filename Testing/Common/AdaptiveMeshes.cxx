@@ -5,7 +5,6 @@
 #include "vtkAMRBox.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkOverlappingAMR.h"
@@ -127,19 +126,6 @@ vtkSmartPointer<vtkOverlappingAMR> adaptiveMesh(const Field& field)
     mesh->SetDataSet(level, next[level]++, blockOf(box, field));
   }
   return mesh;
-}
-
-vtkDataSet* blockOf(vtkOverlappingAMR* mesh, unsigned int flatIndex)
-{
-  const auto at = vtk::TakeSmartPointer(mesh->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-  {
-    if (at->GetCurrentFlatIndex() == flatIndex)
-    {
-      return vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
-    }
-  }
-  return nullptr;
 }
 
 Grid evenMesh(const Field& field)

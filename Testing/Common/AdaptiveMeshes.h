@@ -11,7 +11,6 @@
 
 #include "vtkSmartPointer.h"
 
-class vtkDataSet;
 class vtkOverlappingAMR;
 
 namespace tetmarch::testing
@@ -21,8 +20,6 @@ namespace tetmarch::testing
 vtkSmartPointer<vtkOverlappingAMR> adaptiveMesh(const Field& field);
 /// Its finest cells, those of each level.
 constexpr std::array<int, 3> LeavesOfAdaptiveMesh{ { 51, 84, 160 } };
-/// The block with this flat index; nullptr if there is none.
-vtkDataSet* blockOf(vtkOverlappingAMR* mesh, unsigned int flatIndex);
 /// The unit cube in 16^3 hexahedra, each with the scalar of the finest cell of adaptiveMesh()
 /// there.
 Grid evenMesh(const Field& field);

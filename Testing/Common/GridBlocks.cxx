@@ -4,6 +4,7 @@
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -155,5 +156,18 @@ vtkSmartPointer<vtkMultiBlockDataSet> blocks(const std::vector<Grid>& grids)
     result->SetBlock(static_cast<unsigned>(b), grids[b]);
   }
   return result;
+}
+
+vtkDataSet* blockAt(vtkCompositeDataSet* data, unsigned int flatIndex)
+{
+  const auto at = vtk::TakeSmartPointer(data->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    if (at->GetCurrentFlatIndex() == flatIndex)
+    {
+      return vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
+    }
+  }
+  return nullptr;
 }
 } // namespace tetmarch::testing

@@ -27,6 +27,9 @@ std::vector<Grid> cutIntoBlocks(
   vtkUnstructuredGrid* grid, const BlockOf& blockOf, bool withGlobalIds = false);
 
 vtkSmartPointer<vtkMultiBlockDataSet> blocks(const std::vector<Grid>& grids);
+
+/// The block with this flat index; nullptr if there is none.
+vtkDataSet* blockAt(vtkCompositeDataSet* data, unsigned int flatIndex);
 } // namespace tetmarch::testing
 
 #endif

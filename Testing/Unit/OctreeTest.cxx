@@ -9,6 +9,7 @@
 #include "Volume/StructuredVolume.h"
 
 #include "AdaptiveMeshes.h"
+#include "GridBlocks.h"
 #include "LeafTrees.h"
 
 #include "vtkCellData.h"
@@ -204,7 +205,7 @@ TEST(LeafGrids, HaveTheValuesOfTheirInput)
   for (vtkIdType leaf = 0; leaf < 295; ++leaf)
   {
     const CellOrigin origin = leaves.origins().of(leaf);
-    vtkDataSet* block = blockOf(blocks, origin.Block);
+    vtkDataSet* block = blockAt(blocks, origin.Block);
     ASSERT_EQ(leaves.scalars()->GetComponent(leaf, 0),
       block->GetCellData()->GetScalars()->GetComponent(origin.Cell, 0));
   }

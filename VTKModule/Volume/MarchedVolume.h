@@ -7,7 +7,6 @@
 
 #include "Budget/ResourceLimits.h"
 #include "Entries/Outlines.h"
-#include "Leaves/LeafGrid.h"
 #include "Light/EffectSource.h"
 #include "Mesh/PieceOptions.h"
 #include "Parallel/Progress.h"
@@ -28,6 +27,7 @@ namespace tetmarch
 struct Blending;
 struct Components;
 struct IntegralTable;
+struct LeafPlaces;
 struct ReferenceScene;
 
 /** A data set of the type that the volume takes, and how it is read. */

@@ -8,6 +8,7 @@
 #include "Caching/StageRecord.h"
 #include "Caching/Switch.h"
 #include "Input/GridGeometry.h"
+#include "Leaves/LeafGrid.h"
 #include "Scalars/HiddenBits.h"
 #include "Structured/EmptySpaceStage.h"
 #include "Structured/HiddenLatticeStage.h"

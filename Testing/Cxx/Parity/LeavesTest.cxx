@@ -4,6 +4,7 @@
 #include "AdaptiveMeshes.h"
 #include "CutScene.h"
 #include "ErrorScene.h"
+#include "GridBlocks.h"
 #include "LeafTrees.h"
 #include "ScenePage.h"
 
@@ -241,7 +242,7 @@ TEST(Leaves, ArePicked)
       }
       ++hits;
       vtkDataSet* picked =
-        input == blocks ? blockOf(blocks, mapper->GetPickedBlock()) : made.Leaves.Get();
+        input == blocks ? blockAt(blocks, mapper->GetPickedBlock()) : made.Leaves.Get();
       ASSERT_TRUE(picked);
       const vtkIdType cell = mapper->GetPickedCellId();
       ASSERT_LT(cell, picked->GetNumberOfCells());

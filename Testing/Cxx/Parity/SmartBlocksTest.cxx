@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An image in blocks looks like the image: blocks are drawn one over the other, back to front.
 #include "SmartBlocks.h"
+#include "GridBlocks.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCell.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkContourValues.h"
 
 namespace
@@ -90,19 +90,6 @@ TEST_P(SmartBlocksOf, AreOrderedByMoreThanChance)
   EXPECT_LE(255 * compare(this->Shown.frame(), back).Max, mostOf(this->GetParam()));
 }
 
-vtkImageData* blockOf(vtkMultiBlockDataSet* tree, unsigned int flat)
-{
-  const auto at = vtk::TakeSmartPointer(tree->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-  {
-    if (at->GetCurrentFlatIndex() == flat)
-    {
-      return vtkImageData::SafeDownCast(at->GetCurrentDataObject());
-    }
-  }
-  return nullptr;
-}
-
 // The first visible point of a ray is that of the whole, and the block and its cell are around it.
 TEST_P(SmartBlocksOf, PicksFindTheirCells)
 {
@@ -132,7 +119,7 @@ TEST_P(SmartBlocksOf, PicksFindTheirCells)
         EXPECT_NEAR(mapper->GetPickedPosition()[k], point[k], 1e-4);
       }
       EXPECT_NEAR(mapper->GetPickedScalar(), scalar, 1e-3);
-      vtkImageData* block = blockOf(tree, mapper->GetPickedBlock());
+      vtkDataSet* block = blockAt(tree, mapper->GetPickedBlock());
       ASSERT_TRUE(block) << mapper->GetPickedBlock();
       ASSERT_LT(mapper->GetPickedCellId(), block->GetNumberOfCells());
       vtkBoundingBox box(block->GetCell(mapper->GetPickedCellId())->GetBounds());
