@@ -237,6 +237,7 @@ TYPED_TEST(FrameStagesOf, AreDrawnByTheReference)
   options.InDouble = false;
   EXPECT_NEAR(made.trace(options).Color[3], trace.Color[3], 1e-4);
 }
+
 // Lists tell where rays of pixels enter a mesh, unless the camera is inside.
 TEST(FrameStages, TheHierarchyIsMadeWhenRaysSearchInIt)
 {

@@ -33,8 +33,7 @@ public:
    */
   std::string make(vtkPointSet* grid, const ResourceLimits& limits, const Progress& progress,
     const PieceOptions& piece = {});
-  /** Add the hierarchy. Returns an empty string, or an error; the mesh is then
-   * unchanged. */
+  /** Add the hierarchy. Returns an empty string, or an error; the mesh is then unchanged. */
   std::string addHierarchy();
 
   const TetMesh& mesh() const { return this->Mesh; }

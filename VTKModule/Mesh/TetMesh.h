@@ -62,7 +62,7 @@ struct TetMesh
   MeshArray<LinksOfHalfFaces> Links;
   std::vector<std::array<Id, 4>> BoundaryFaces; // three vertices and the half-face inside
   std::vector<HierarchyNode> Hierarchy;         // empty until a ray needs it
-  bool MayReenter = false;                      // rays may
+  bool MayReenter = false;                      // rays may leave it and enter again
   std::size_t ReentryNodes = 0;                 // nodes [0, ReentryNodes) cover the faces that are
   std::size_t ReentryFaces = 0;                 // not on the hull; their number
   std::vector<Vertex> Vertices;
