@@ -43,31 +43,41 @@ real cellExtinction(Ray ray, RayPosition place, CellInterval cell)
   return extinction;
 }
 
+// Adds the optical depth of the next cell of a ray between two depths. Returns whether the ray goes on.
+bool passCell(Ray ray, vec2 range, real thicknessPerDepth, INOUT(Traversal) traversal, INOUT(CellInterval) cell,
+  INOUT(real) opticalDepth)
+{
+  Crossing crossing = crossCell(ray, traversal.place, cell);
+  cell.begin = max(cell.enter.x, range.x);
+  cell.end = min(cell.leave.x, range.y);
+  decideVisibility(cell.end > cell.begin, cell);
+  real extinction = cellExtinction(ray, traversal.place, cell);
+  opticalDepth = opticalDepth + (cell.seen ? extinction * (cell.end - cell.begin) * thicknessPerDepth : real(0));
+  return crossing.onward && cell.leave.x < range.y && opticalDepth <= -log(errorTolerance);
+}
+
 real transmittanceTo(LightStart start, vec3 direction, real distance)
 {
   Ray ray = rayThrough(start.point, direction);
   vec2 range = lightRange(ray, dot(start.point - ray.origin, ray.direction), distance);
-  real begin = range.x;
-  real end = range.y;
   real thicknessPerDepth = thicknessPerDepthAlong(direction);
-  real darkDepth = -log(errorTolerance);
-  Traversal traversal = traversalFrom(ray, begin);
-  enterVolume(ray, end, traversal);
+  Traversal traversal = traversalFrom(ray, range.x);
+  enterVolume(ray, range.y, traversal);
   CellInterval cell = beginCellInterval(ray, traversal.place);
   real opticalDepth = real(0);
-  bool onward = continuesBefore(traversal, end);
+  bool onward = continuesBefore(traversal, range.y);
   int steps = 0;
   while (onward && steps < mostSteps)
   {
     steps = steps + 1;
-    Crossing crossing = crossCell(ray, traversal.place, cell);
-    cell.begin = max(cell.enter.x, begin);
-    cell.end = min(cell.leave.x, end);
-    decideVisibility(cell.end > cell.begin, cell);
-    real extinction = cellExtinction(ray, traversal.place, cell);
-    opticalDepth =
-      opticalDepth + (cell.seen ? extinction * (cell.end - cell.begin) * thicknessPerDepth : real(0));
-    onward = crossing.onward && cell.leave.x < end && opticalDepth <= darkDepth;
+    onward = passCell(ray, range, thicknessPerDepth, traversal, cell, opticalDepth);
+#if TETMARCH_LIMITS_TURNS
+    // Two cells a turn: fewer rays reach the limit, and end early.
+    if (onward)
+    {
+      onward = passCell(ray, range, thicknessPerDepth, traversal, cell, opticalDepth);
+    }
+#endif
   }
   return exp(-opticalDepth);
 }
