@@ -116,6 +116,15 @@ class PixelTest(RenderCase):
         self.assertEqual(list(dict.fromkeys(cells)), [2, 0])
         self.assertEqual(sum(cell["enters_mesh"] for cell in trace["double"]["cells"]), 1)
 
+    def test_leaves_are_cells(self):
+        options = ("--array", "side", *CONSTANT[2:], *ALONG_Z, "--stats", "out.json")
+        text, trace = self.trace("leaves.vthb", "32,24", *options)
+        self.check_colours(trace, 1 - math.exp(-1.4))
+        self.assertEqual(len(trace["double"]["cells"]), 2)
+        self.assertIn("the ray passes 2 cells", text)
+        sizes = json.loads((self.folder / "out.json").read_text())
+        self.assertEqual((sizes["lattice_cells"], "tetrahedra" in sizes), (8, False))
+
     def test_what_is_not_gathered(self):
         _, trace = self.trace("cube.vtu", "32,24", *CONSTANT, *ALONG_Z, "--clip", "0,0,0.25,0,0,-1")
         self.check_colours(trace, 1 - math.exp(-1.4 * 0.25))

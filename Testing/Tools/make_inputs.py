@@ -167,6 +167,16 @@ def images_vtm():
 """
 
 
+def leaves_vthb():
+    """image.vti as the only block of an adaptive mesh."""
+    return """<?xml version="1.0"?>
+<VTKFile type="vtkOverlappingAMR" version="1.1" byte_order="LittleEndian">
+<vtkOverlappingAMR origin="0 0 0" grid_description="XYZ"><Block level="0" spacing="0.5 0.5 0.5">
+<DataSet index="0" amr_box="0 1 0 1 0 1" file="image.vti"/>
+</Block></vtkOverlappingAMR></VTKFile>
+"""
+
+
 def values_of_half(code, dimensions):
     """The bytes of an image that is 0.5 all over, by a code of struct."""
     count = math.prod(dimensions)
@@ -206,6 +216,7 @@ def write_all(folder):
         "image.vti": image_vti(),
         "image_beside.vti": image_vti(1),
         "images.vtm": images_vtm(),
+        "leaves.vthb": leaves_vthb(),
         "grid.vtr": rectilinear_vtr(),
         "image.vtk": legacy_image((3, 3, 3)),
         "flat.vtk": legacy_image((3, 3, 1)),

@@ -22,7 +22,7 @@ namespace tetmarch
 
 struct PixelTrace
 {
-  bool Structured = false;       // cells are those of an image, else tetrahedra
+  bool Structured = false;       // cells are those of an image, or leaves; else tetrahedra
   std::array<double, 4> Drawn{}; // by the GPU: premultiplied red, green, blue, opacity
   vtkNew<vtkTable> Float;        // by TraceRay() of the mapper
   vtkNew<vtkTable> Double;

@@ -55,7 +55,7 @@ void AddSizes(
 {
   json["cells"] = CountCells(data);
   json["points"] = CountPoints(data);
-  if (data.Structured)
+  if (data.Structured || statistics->GetNumberOfLatticeCells() > 0)
   {
     json["blocks"] = data.Blocks.size();
     json["lattice_cells"] = statistics->GetNumberOfLatticeCells();

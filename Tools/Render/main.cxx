@@ -19,6 +19,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
+#include "vtkTetMarchFrameStatistics.h"
 #include "vtkTimerLog.h"
 #include "vtkVersion.h"
 
@@ -39,9 +40,9 @@ void ShowPixel(Picture& picture, const VolumeData& data, const std::string& arra
   const CommandLine& commandLine)
 {
   PixelTrace trace;
-  trace.Structured = data.Structured;
   picture.Trace(*commandLine.Pixel, trace);
   vtkTetMarchFrameStatistics* statistics = picture.GetMapper().GetStatistics();
+  trace.Structured = data.Structured || statistics->GetNumberOfLatticeCells() > 0;
   const std::string text = FormatPixelText(commandLine, arrayName, statistics, trace);
   const std::string json = FormatPixelJson(commandLine, arrayName, statistics, trace);
   WriteOutput("-", commandLine.PixelJson == "-" ? json : text);
