@@ -43,7 +43,7 @@ real cellExtinction(Ray ray, RayPosition place, CellInterval cell)
   return extinction;
 }
 
-// Adds the optical depth of the next cell of a ray between two depths. Returns whether the ray goes on.
+// Adds the optical depth of the next cell of a ray between two depths. Returns whether more cells follow.
 bool passCell(Ray ray, vec2 range, real thicknessPerDepth, INOUT(Traversal) traversal, INOUT(CellInterval) cell,
   INOUT(real) opticalDepth)
 {
@@ -53,7 +53,7 @@ bool passCell(Ray ray, vec2 range, real thicknessPerDepth, INOUT(Traversal) trav
   decideVisibility(cell.end > cell.begin, cell);
   real extinction = cellExtinction(ray, traversal.place, cell);
   opticalDepth = opticalDepth + (cell.seen ? extinction * (cell.end - cell.begin) * thicknessPerDepth : real(0));
-  return crossing.onward && cell.leave.x < range.y && opticalDepth <= -log(errorTolerance);
+  return crossing.onward && cell.leave.x < range.y;
 }
 
 real transmittanceTo(LightStart start, vec3 direction, real distance)
@@ -61,6 +61,7 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   Ray ray = rayThrough(start.point, direction);
   vec2 range = lightRange(ray, dot(start.point - ray.origin, ray.direction), distance);
   real thicknessPerDepth = thicknessPerDepthAlong(direction);
+  real darkDepth = -log(errorTolerance);
   Traversal traversal = traversalFrom(ray, range.x);
   enterVolume(ray, range.y, traversal);
   CellInterval cell = beginCellInterval(ray, traversal.place);
@@ -70,12 +71,12 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
   while (onward && steps < mostSteps)
   {
     steps = steps + 1;
-    onward = passCell(ray, range, thicknessPerDepth, traversal, cell, opticalDepth);
+    onward = passCell(ray, range, thicknessPerDepth, traversal, cell, opticalDepth) && opticalDepth <= darkDepth;
 #if TETMARCH_LIMITS_TURNS
     // Two cells a turn: fewer rays reach the limit, and end early.
     if (onward)
     {
-      onward = passCell(ray, range, thicknessPerDepth, traversal, cell, opticalDepth);
+      onward = passCell(ray, range, thicknessPerDepth, traversal, cell, opticalDepth) && opticalDepth <= darkDepth;
     }
 #endif
   }
