@@ -16,16 +16,19 @@ struct Radiance
 #if TETMARCH_LIT_PARTS
   real shadeError; // estimated, by the change of light within parts of cells
 #endif
-#if TETMARCH_LIGHT_TOLERANCE && TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_PAUSES_WITHIN
   real pendingWeight; // of the colours that wait for light,
   real pendingMoment; // times the transmittance where they are
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   vec3 pendingA; // colour by each light whose transmittance is known at the next sample
 #if TETMARCH_SEVERAL_SHADOWS
   vec3 pendingB;
   vec3 pendingC;
 #endif
+#endif
+#if TETMARCH_SAMPLED_OCCLUSION
+  vec3 pendingAmbient; // the same by ambient light
 #endif
 };
 
@@ -46,16 +49,19 @@ Radiance noRadiance()
 #if TETMARCH_LIT_PARTS
   radiance.shadeError = real(0);
 #endif
-#if TETMARCH_LIGHT_TOLERANCE && TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_PAUSES_WITHIN
   radiance.pendingWeight = real(0);
   radiance.pendingMoment = real(0);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   radiance.pendingA = radiance.color;
 #if TETMARCH_SEVERAL_SHADOWS
   radiance.pendingB = radiance.color;
   radiance.pendingC = radiance.color;
 #endif
+#endif
+#if TETMARCH_SAMPLED_OCCLUSION
+  radiance.pendingAmbient = radiance.color;
 #endif
   return radiance;
 }

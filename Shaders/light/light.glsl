@@ -42,7 +42,7 @@ struct Illumination
 #if TETMARCH_HEADLIGHT_SHADOWS
   Light head;   // from the eye, not yet absorbed: its transmittance is that of the ray
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   // From each light that casts shadows, not yet absorbed. A software renderer would write an array lane by lane.
   Light beamA;
 #if TETMARCH_SEVERAL_SHADOWS
@@ -59,7 +59,7 @@ Illumination noIllumination()
 #if TETMARCH_HEADLIGHT_SHADOWS
   lit.head = noLight();
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   lit.beamA = noLight();
 #if TETMARCH_SEVERAL_SHADOWS
   lit.beamB = noLight();
@@ -75,7 +75,7 @@ Illumination mixIllumination(Illumination p, Illumination q, real fraction)
 #if TETMARCH_HEADLIGHT_SHADOWS
   p.head = mixLight(p.head, q.head, fraction);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   p.beamA = mixLight(p.beamA, q.beamA, fraction);
 #if TETMARCH_SEVERAL_SHADOWS
   p.beamB = mixLight(p.beamB, q.beamB, fraction);
@@ -100,7 +100,7 @@ Illumination shiftIllumination(Illumination p, Illumination a, Illumination b, r
 #if TETMARCH_HEADLIGHT_SHADOWS
   p.head = shiftLight(p.head, a.head, b.head, fraction);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   p.beamA = shiftLight(p.beamA, a.beamA, b.beamA, fraction);
 #if TETMARCH_SEVERAL_SHADOWS
   p.beamB = shiftLight(p.beamB, a.beamB, b.beamB, fraction);

@@ -9,7 +9,7 @@ real changeOfLight(Illumination p, Illumination q)
 #if TETMARCH_HEADLIGHT_SHADOWS
   change = change + changeOf(p.head, q.head);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   change = change + changeOf(p.beamA, q.beamA);
 #if TETMARCH_SEVERAL_SHADOWS
   change = change + changeOf(p.beamB, q.beamB) + changeOf(p.beamC, q.beamC);

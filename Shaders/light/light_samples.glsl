@@ -6,6 +6,9 @@
 // The transmittance towards each light from a point in the cell of the start.
 vec4 sampleLight(Ray ray, LightStart start, real depth)
 {
+#if TETMARCH_COUNTS_TURNS
+  lightTurns = 0;
+#endif
   start.point = ray.origin + ray.direction * depth;
   return incomingLight(start, 0u);
 }
@@ -17,12 +20,19 @@ void addPending(INOUT(Radiance) radiance, vec4 transmittance)
   radiance.pendingWeight = real(0);
   radiance.pendingMoment = real(0);
 #endif
+  vec3 none = vec3(real(0), real(0), real(0));
+#if TETMARCH_SAMPLED_BEAMS
   radiance.color = radiance.color + radiance.pendingA * transmittance.y;
-  radiance.pendingA = vec3(real(0), real(0), real(0));
+  radiance.pendingA = none;
+#endif
 #if TETMARCH_SEVERAL_SHADOWS
   radiance.color = radiance.color + radiance.pendingB * transmittance.z + radiance.pendingC * transmittance.w;
-  radiance.pendingB = radiance.pendingA;
-  radiance.pendingC = radiance.pendingA;
+  radiance.pendingB = none;
+  radiance.pendingC = none;
+#endif
+#if TETMARCH_SAMPLED_OCCLUSION
+  radiance.color = radiance.color + radiance.pendingAmbient * transmittance.x;
+  radiance.pendingAmbient = none;
 #endif
 }
 
@@ -31,23 +41,17 @@ void addPending(INOUT(Radiance) radiance, vec4 transmittance)
 real pendingTimes(vec4 transmittance, Radiance radiance)
 {
   real waiting = real(0);
-  waiting = waiting + greatest(radiance.pendingA) * abs(transmittance.y);
+#if TETMARCH_SAMPLED_BEAMS
+  waiting = greatest(radiance.pendingA) * abs(transmittance.y);
+#endif
 #if TETMARCH_SEVERAL_SHADOWS
   waiting = waiting + greatest(radiance.pendingB) * abs(transmittance.z) +
     greatest(radiance.pendingC) * abs(transmittance.w);
 #endif
-  return waiting;
-}
-
-// What has begun to wait since then.
-Radiance pendingSince(Radiance then, Radiance radiance)
-{
-  radiance.pendingA = radiance.pendingA - then.pendingA;
-#if TETMARCH_SEVERAL_SHADOWS
-  radiance.pendingB = radiance.pendingB - then.pendingB;
-  radiance.pendingC = radiance.pendingC - then.pendingC;
+#if TETMARCH_SAMPLED_OCCLUSION
+  waiting = waiting + greatest(radiance.pendingAmbient) * abs(transmittance.x);
 #endif
-  return radiance;
+  return waiting;
 }
 
 // Where what waits is on average, from where the transmittance was `begin`, 0, to here, 1.

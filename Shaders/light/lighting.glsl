@@ -53,7 +53,9 @@ void shineOn(SurfacePoint at, int i, vec4 incoming, INOUT(Illumination) lit)
 Illumination illuminate(vec3 gradient, real opacity, vec3 point, vec3 toEye, vec4 incoming)
 {
   Illumination lit = noIllumination();
-#if TETMARCH_OCCLUSION
+#if TETMARCH_SAMPLED_OCCLUSION
+  // Ambient light is added by samples.
+#elif TETMARCH_OCCLUSION
   lit.direct.diffuse = ambientColor * incoming.x;
 #else
   lit.direct.diffuse = ambientColor;

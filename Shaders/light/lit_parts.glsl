@@ -15,7 +15,7 @@ real shadeBudget(Radiance radiance, real absorbed)
 }
 
 // As gatherCell().
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_PAUSES_WITHIN
 int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance,
   INOUT(SamplePause) pause)
 #else
@@ -28,7 +28,7 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
   Shade last = whole.leaveShade;
   if (whole.begin > whole.enter.x)
   {
-    from = shiftShade(from, from, last, fractionAt(whole.enter, whole.leave, whole.begin));
+    from = shadeAtFace(ray, pointWithin(ray, whole, whole.begin));
   }
   if (whole.end < whole.leave.x)
   {
@@ -41,9 +41,6 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
   bool inMiddle = true;    // else the shade at its end is missing
   int lookups = 0;
   int trials = 0;
-#if TETMARCH_SAMPLED_SHADOWS
-  bool isDense = false;
-#endif
   bool pending = true;
   while (pending && trials < MOST_LIT_TRIALS)
   {
@@ -73,17 +70,9 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
       real budget = shadeBudget(radiance, absorbed);
       bool isFine = error <= budget && (step <= LONG_PART || absorbed <= THIN_PART);
       bool accepted = isFine || step <= LEAST_PART || rest;
-#if TETMARCH_SAMPLED_SHADOWS
-      bool least = step <= LEAST_THICK_PART || rest || isFrugal(pause);
-      bool dense = absorbed > MOST_OF_A_PART * radiance.transmittance && !least;
-      isDense = isDense || dense;
-      bool thick = absorbed > (isDense ? PART_OF_DENSE : THICK_PART);
-      accepted = accepted && !dense;
-      if (accepted && thick)
-      {
-        accepted = lightThickPart(ray, vec2(cell.begin, cell.end), least, radiance, tried, pause);
-      }
-      pause.lightFresh = pause.lightFresh && (thick || !accepted);
+#if TETMARCH_PAUSES_WITHIN
+      bool beyond = isBeyondSample(tried.transmittance, step, pause) && !rest;
+      accepted = accepted && !beyond;
 #endif
       if (accepted)
       {
@@ -95,12 +84,23 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
         step = min(error <= real(0.125) * budget ? real(2) * step : step, real(1) - position);
         inMiddle = position + step >= real(1);
       }
+#if TETMARCH_PAUSES_WITHIN
+      else if (beyond && isFine)
+      {
+        step = step * fractionToSample(radiance.transmittance, tried.transmittance, pause);
+        inMiddle = false;
+      }
+#endif
       else
       {
         to = found;
         step = real(0.5) * step;
       }
       pending = position < real(1) && !isOpaque(radiance);
+#if TETMARCH_PAUSES_WITHIN
+      pause.within = pending && radiance.transmittance <= pause.nextSample;
+      pending = pending && !pause.within;
+#endif
     }
     else
     {
@@ -109,7 +109,11 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
     }
   }
   cell.begin = whole.begin;
+#if TETMARCH_PAUSES_WITHIN
+  cell.end = pause.within ? whole.begin + extent * position : whole.end;
+#else
   cell.end = whole.end;
+#endif
   cell.enterShade = whole.enterShade;
   cell.leaveShade = whole.leaveShade;
   return lookups;

@@ -27,10 +27,15 @@ void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorpti
   radiance.pendingMoment =
     radiance.pendingMoment + waiting * radiance.transmittance * (real(1) - real(0.5) * by.absorbed);
 #endif
+#if TETMARCH_SAMPLED_BEAMS
   radiance.pendingA = radiance.pendingA + reflection(mean, lit.beamA) * weight;
+#endif
 #if TETMARCH_SEVERAL_SHADOWS
   radiance.pendingB = radiance.pendingB + reflection(mean, lit.beamB) * weight;
   radiance.pendingC = radiance.pendingC + reflection(mean, lit.beamC) * weight;
+#endif
+#if TETMARCH_SAMPLED_OCCLUSION
+  radiance.pendingAmbient = radiance.pendingAmbient + emission(mean) * ambientColor * weight;
 #endif
 }
 #endif
@@ -43,11 +48,14 @@ real brightness(Illumination lit)
 #if TETMARCH_HEADLIGHT_SHADOWS
   bright = bright + greatest(lit.head.diffuse);
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   bright = bright + greatest(lit.beamA.diffuse);
 #if TETMARCH_SEVERAL_SHADOWS
   bright = bright + greatest(lit.beamB.diffuse) + greatest(lit.beamC.diffuse);
 #endif
+#endif
+#if TETMARCH_SAMPLED_OCCLUSION
+  bright = bright + greatest(ambientColor);
 #endif
   return bright;
 }

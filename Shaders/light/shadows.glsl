@@ -23,7 +23,7 @@ void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
   lit.head = addLight(lit.head, dimLight(light, head));
   kept = head;
 #endif
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_BEAMS
   kept = channel < 0 ? kept : strength;
 #if TETMARCH_OPAQUE_SHADOWS
   strength = strength * incomingFrom(channel, incoming); // by opaque geometry; samples add the volume

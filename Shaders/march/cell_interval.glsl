@@ -51,6 +51,9 @@ struct CellInterval
 #if TETMARCH_KEEPS_CROSSED
   ivec3 crossed; // the cell's indices along the axes
 #endif
+#if TETMARCH_PAUSES_WITHIN
+  RayPosition before; // the ray's position before it crosses the cell
+#endif
 #if TETMARCH_ISOSURFACES
   bool drawn;  // the cell has a scalar and is not hidden, even if no surface crosses it
   vec2 before; // depth and scalar where the ray left the last drawn cell

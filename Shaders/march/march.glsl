@@ -80,26 +80,49 @@ void countRefusal(bool entered, INOUT(March) march)
 }
 
 // Stores the cell ahead of the ray as the last crossed one: rays to the light may start in it.
-void keepCell(RayPosition place, INOUT(March) march)
+void keepCell(RayPosition place, INOUT(CellInterval) cell, INOUT(March) march)
 {
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_PAUSES_WITHIN
+  cell.before = place;
+#elif TETMARCH_SAMPLED_SHADOWS
   march.pause.start = startIn(place);
 #endif
 }
 
 void keepTransmittance(INOUT(March) march)
 {
-#if TETMARCH_SAMPLED_SHADOWS
+#if TETMARCH_SAMPLED_SHADOWS && !TETMARCH_PAUSES_WITHIN
   march.pause.transmittance = march.radiance.transmittance;
 #endif
 }
 
+#if TETMARCH_PAUSES_WITHIN
+// After the last crossed cell was gathered. If the ray pauses within it, it crosses the rest again.
+void keepPlace(CellInterval cell, INOUT(RayPosition) place, INOUT(bool) onward, INOUT(March) march)
+{
+  if (cell.seen)
+  {
+    march.pause.start = startIn(cell.before);
+    march.pause.depth = cell.end;
+  }
+  if (march.pause.within)
+  {
+    place = cell.before;
+    march.done = cell.end;
+    march.cells = march.cells - march.pause.cells;
+    march.stepsTaken = march.stepsTaken - 1;
+    march.finished = false;
+    onward = true;
+  }
+}
+#endif
+
 // Whether the march continues after the cell; it may pause there.
-bool goesOnAfter(CellInterval cell, bool onward, INOUT(March) march)
+bool goesOnAfter(CellInterval cell, bool onward, INOUT(RayPosition) place, INOUT(March) march)
 {
 #if TETMARCH_SAMPLED_SHADOWS
-#if TETMARCH_LIGHT_TOLERANCE
-  keepSeenCell(cell, march.pause);
+#if TETMARCH_PAUSES_WITHIN
+  keepPlace(cell, place, onward, march);
 #else
   march.pause.seenDepth = cell.begin +
     (cell.end - cell.begin) * seenFraction(march.pause.transmittance, march.radiance.transmittance);
@@ -123,11 +146,14 @@ void recordCell(CellInterval cell, March march)
 // Crosses the cell ahead of the ray. Returns whether the ray continues after it.
 bool passCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(CellInterval) cell, INOUT(March) march)
 {
-  keepCell(place, march);
+  keepCell(place, cell, march);
   Crossing crossing = crossCell(ray, place, cell);
   advanceShades(cell);
   march.cells = march.cells + crossing.cells;
   march.stepsTaken = march.stepsTaken + 1;
+#if TETMARCH_PAUSES_WITHIN
+  march.pause.cells = crossing.cells;
+#endif
 
   // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
   cell.begin = largerOf(cell.enter.x, march.done);
@@ -176,8 +202,10 @@ void gatherInterval(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, I
     pickInterval(thicknessPerDepth, march.target, cell, march.radiance, march.pick);
 #elif TETMARCH_LIGHT_AT_POINTS
     countLookups(gatherLit(thicknessPerDepth, cell, march.radiance), march);
-#elif TETMARCH_LIT_PARTS && TETMARCH_SAMPLED_SHADOWS
+#elif TETMARCH_LIT_PARTS && TETMARCH_PAUSES_WITHIN
     countLookups(gatherLitParts(ray, thicknessPerDepth, cell, march.radiance, march.pause), march);
+#elif TETMARCH_PAUSES_WITHIN
+    countLookups(gatherToSample(thicknessPerDepth, cell, march.radiance, march.pause), march);
 #elif TETMARCH_LIT_PARTS
     countLookups(gatherLitParts(ray, thicknessPerDepth, cell, march.radiance), march);
 #else
@@ -196,6 +224,12 @@ void gatherIntervals(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, 
   {
     ranges = ranges + 1;
     gatherInterval(ray, thicknessPerDepth, cell, march);
+#if TETMARCH_PAUSES_WITHIN
+    if (march.pause.within)
+    {
+      return;
+    }
+#endif
     cropping = nextRangeOfCell(ray, cell);
   }
 #else
@@ -252,7 +286,7 @@ bool marchToExit(Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real
     gatherIntervals(ray, thicknessPerDepth, cell, march);
     march.finished = isFinished(march);
     onward = onward && !march.finished;
-    onward = goesOnAfter(cell, onward, march);
+    onward = goesOnAfter(cell, onward, place, march);
   }
   return onward;
 }

@@ -42,12 +42,10 @@
 #else
 #include "tet/cross_cell.glsl"
 #endif
-#if TETMARCH_LIT_PARTS
-#if TETMARCH_SAMPLED_SHADOWS
-#include "light/light_ray_files.glsl"
-#include "light/light_samples.glsl"
-#include "light/thick_part.glsl"
+#if TETMARCH_PAUSES_WITHIN
+#include "light/gather_to_sample.glsl"
 #endif
+#if TETMARCH_LIT_PARTS
 #include "light/lit_parts.glsl"
 #endif
 #include "march/march.glsl"

@@ -80,6 +80,9 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
     }
 #endif
   }
+#if TETMARCH_COUNTS_TURNS
+  lightTurns = lightTurns + steps + 1;
+#endif
   return exp(-opticalDepth);
 }
 #else

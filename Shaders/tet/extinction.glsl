@@ -134,6 +134,10 @@ void marchExtinctionToExit(
   }
 }
 
+#if TETMARCH_COUNTS_TURNS
+CONSTANT int TURNS_OF_SEARCH = 6;  // about, for the next entry
+#endif
+
 // Marches the ray between two depths.
 ExtinctionMarch marchExtinction(
   Ray ray, real thicknessPerDepth, real depthBegin, real depthEnd, INOUT(Traversal) traversal)
@@ -154,6 +158,9 @@ ExtinctionMarch marchExtinction(
     }
     leaveBySearch(ray, march.finished, traversal);
   }
+#if TETMARCH_COUNTS_TURNS
+  lightTurns = lightTurns + march.cells + TURNS_OF_SEARCH * entries;
+#endif
   return march;
 }
 

@@ -231,7 +231,7 @@ TEST(LeafGrids, AreMadeOfOctreesAlone)
   const auto spoiled = [](const std::function<void(vtkUniformGrid*)>& spoil)
   {
     auto blocks = adaptiveMesh(sineField());
-    spoil(blocks->GetDataSet(1, 0));
+    spoil(vtkUniformGrid::SafeDownCast(blockAt(blocks, 1)));
     return blocks;
   };
   expectNone(spoiled(

@@ -80,7 +80,8 @@ inline bool isSensible(const VariantKey& k)
          // Or elsewhere.
          !(k.SingleLight && (k.SeveralShadows || k.HeadlightShadows)) &&
          // No shadows to be sampled.
-         !((k.SampledShadows || k.SeveralShadows) && !k.CastShadows) &&
+         !(k.SeveralShadows && !k.CastShadows) &&
+         !(k.SampledShadows && !k.CastShadows && !(k.Occlusion && k.LightTolerance)) &&
          // Samples keep no tolerance, nor do surfaces.
          !(k.LightTolerance && (!composite || k.PointSampled)) &&
          // Nor does the light of gradients of cells, unless shadows are sampled.

@@ -250,7 +250,9 @@ Fingerprint FrameStages::lightVersion(const VariantKey& key) const
   add(version, lights.Reach);
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
-  version.push_back(key.SampledShadows ? 1 : 0); // sampled along rays, lights are not kept
+  // What is sampled along rays is not kept.
+  version.push_back(key.SampledShadows ? 1 : 0);
+  version.push_back(key.samplesOcclusion() ? 1 : 0);
   version.push_back(key.NanShown ? 1 : 0);
   version.push_back(key.LightThroughCuts ? 1 : 0);
   for (std::size_t i = 0; key.LightThroughCuts && i < this->Cut.Planes.size(); ++i)

@@ -85,7 +85,9 @@ PictureContent contentOf(const Fingerprint& shown, const MarchInputs& inputs, vt
       addAll(content.Version, source);
     }
     add(content.Version, lights.Reach);
-    content.Version.push_back(static_cast<std::uintptr_t>(lights.MostSamples));
+    content.Version.push_back(static_cast<std::uintptr_t>(lights.TurnsOfSample));
+    content.Version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
+    add(content.Version, lights.OcclusionRadius);
   }
   if (inputs.Key.OpaqueDepth)
   {

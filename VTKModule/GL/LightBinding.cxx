@@ -88,8 +88,7 @@ void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const Va
   }
 }
 
-void bindLightRays(
-  vtkShaderProgram* program, const LightUniforms& lights, bool toLights, const VariantKey& key)
+void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key)
 {
   std::vector<float> sources;
   for (const std::array<double, 4>& source : lights.ShadowSources)
@@ -99,7 +98,7 @@ void bindLightRays(
       sources.push_back(static_cast<float>(x));
     }
   }
-  const int count = toLights ? static_cast<int>(lights.ShadowSources.size()) : 0;
+  const int count = static_cast<int>(lights.ShadowSources.size());
   program->SetUniformi("shadowSourceCount", count);
   if (count > 0)
   {
@@ -108,9 +107,9 @@ void bindLightRays(
   program->SetUniformf("lightReach", static_cast<float>(lights.Reach));
   if (key.SampledShadows && key.LightTolerance)
   {
-    program->SetUniformi("mostLightSamples", lights.MostSamples);
+    program->SetUniformi("expectedLightTurns", lights.TurnsOfSample);
   }
-  if (!key.SampledShadows)
+  if (!key.SampledShadows || key.samplesOcclusion())
   {
     program->SetUniformi("occlusionDirectionCount", lights.OcclusionDirections);
     program->SetUniformf("occlusionRadius", static_cast<float>(lights.OcclusionRadius));

@@ -15,10 +15,8 @@ struct VariantKey;
 /** What Shaders/light/light_buffers.glsl declares. */
 void bindLights(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key);
 
-/** What Shaders/light/light_ray_buffers.glsl declares; toLights: rays are marched towards the
- * lights that cast shadows, else towards none. */
-void bindLightRays(
-  vtkShaderProgram* program, const LightUniforms& lights, bool toLights, const VariantKey& key);
+/** What Shaders/light/light_ray_buffers.glsl declares. */
+void bindLightRays(vtkShaderProgram* program, const LightUniforms& lights, const VariantKey& key);
 
 } // namespace tetmarch
 

@@ -76,7 +76,7 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   }
   if (key.SampledShadows)
   {
-    bindLightRays(program, stages.effects().data().Lights, true, key);
+    bindLightRays(program, stages.effects().data().Lights, key);
   }
   if (key.SampledShadows || key.PointSampled)
   {

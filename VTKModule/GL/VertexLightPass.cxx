@@ -34,6 +34,21 @@ double secondsSince(Clock::time_point begin)
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+// The rest is sampled along the rays of the picture.
+LightUniforms keptLights(const LightUniforms& lights, const VariantKey& key)
+{
+  LightUniforms kept = lights;
+  if (key.SampledShadows)
+  {
+    kept.ShadowSources.clear();
+  }
+  if (key.samplesOcclusion())
+  {
+    kept.OcclusionDirections = 0;
+  }
+  return kept;
+}
+
 std::string bindRows(vtkOpenGLRenderWindow* window, FloatTarget& target, const Viewport& all)
 {
   return target.bind(window, all.Width, all.Height, 1, TargetFormat::Share16);
@@ -43,9 +58,8 @@ std::string bindRows(vtkOpenGLRenderWindow* window, FloatTarget& target, const V
 
 int VertexLightPass::Work::rays() const
 {
-  const LightUniforms& lights = this->Inputs.Stages->effects().data().Lights;
-  const std::size_t ofLights = this->ToLights ? lights.ShadowSources.size() : 0;
-  return std::max(1, static_cast<int>(ofLights) + lights.OcclusionDirections);
+  return std::max(
+    1, static_cast<int>(this->Lights.ShadowSources.size()) + this->Lights.OcclusionDirections);
 }
 
 StageResult VertexLightPass::update(const DrawContext& context, const MarchInputs& inputs)
@@ -71,7 +85,8 @@ StageResult VertexLightPass::update(const DrawContext& context, const MarchInput
   constexpr std::size_t rowOfBlocks = BlocksOfRow * VerticesOfBlock;
   const int rows =
     VertexLightBlockSide * static_cast<int>((vertices + rowOfBlocks - 1) / rowOfBlocks);
-  Work work{ inputs, { 0, 0, VertexLightRow, rows }, vertices, !inputs.Key.SampledShadows };
+  Work work{ inputs, { 0, 0, VertexLightRow, rows }, vertices,
+    keptLights(inputs.Stages->effects().data().Lights, inputs.Key) };
   work.Inputs.Key = inputs.Key.ofVertexLight(inputs.Stages->volume().mayReenter());
   work.Inputs.Level = LightAccuracy;
   const TargetScope state(window, work.All.Width, work.All.Height);
@@ -204,7 +219,7 @@ std::string VertexLightPass::drawTile(
   inputs.Tables->bind(program, inputs);
   inputs.Effects->bind(program, inputs.Stages->effects().data(), inputs.Key);
   inputs.Effects->bindVertexRays(program, inputs.Key);
-  bindLightRays(program, inputs.Stages->effects().data().Lights, work.ToLights, inputs.Key);
+  bindLightRays(program, work.Lights, inputs.Key);
   if (inputs.Key.LightThroughCuts)
   {
     bindClipping(program, inputs.Stages->cuts(), inputs.Key);

@@ -9,6 +9,7 @@
 #include "Caching/StageRecord.h"
 #include "GL/FloatTarget.h"
 #include "GL/MarchPass.h"
+#include "Light/LightUniforms.h"
 
 #include <cstdint>
 #include <string>
@@ -44,7 +45,7 @@ private:
     MarchInputs Inputs;
     Viewport All; // all texels of the texture
     std::size_t Vertices;
-    bool ToLights; // else ambient light alone
+    LightUniforms Lights; // those that are kept
   };
 
   std::string showSomething(

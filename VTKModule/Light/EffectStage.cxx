@@ -72,15 +72,13 @@ Fingerprint inputOf(const std::vector<OpaqueSurface>& surfaces, vtkVolume* volum
   return input;
 }
 
-// Mesa's llvmpipe ends a shader after 65,535 turns of all loops, for eight pixels together, of
-// which rays towards the lights take most (TETMARCH_LIMITS_TURNS). Vertices are those of a mesh, or
-// nodes of an image that are four cells apart. Tried on the scenes of ./tetmarch bench light: with
-// a budget of 3,000 turns for a pixel samples are missing, with 9,000 some rays end early.
-int mostSamples(const LightUniforms& lights, std::size_t vertices, bool ofMesh)
+// Vertices are those of a mesh, or nodes of an image that are four cells apart.
+int turnsOfSample(const LightUniforms& lights, std::size_t vertices, bool ofMesh)
 {
-  const double cellsOfRay = (ofMesh ? 1.4 : 6.0) * std::cbrt(static_cast<double>(vertices));
-  const double turns = static_cast<double>(lights.ShadowSources.size()) * cellsOfRay;
-  return static_cast<int>(std::clamp(6000.0 / std::max(turns, 1.0), 8.0, 128.0));
+  const double turnsOfRay = (ofMesh ? 1.4 : 8.0) * std::cbrt(static_cast<double>(vertices));
+  const double rays = static_cast<double>(lights.ShadowSources.size()) +
+                      lights.OcclusionDirections * 1.5 * lights.OcclusionRadius;
+  return static_cast<int>(std::max(rays * turnsOfRay, 1.0));
 }
 
 bool isShaded(vtkVolumeProperty* property, const EffectOptions& options)
@@ -134,7 +132,7 @@ std::string EffectStage::update(
           (options.CellGradients && input.Source->hasCellGradients()));
       this->updateGradientOpacity(volume, input, byGradient);
       this->updateStarts(*input.Source, this->Data.Lights.hasVolumeLight());
-      this->Data.Lights.MostSamples = mostSamples(
+      this->Data.Lights.TurnsOfSample = turnsOfSample(
         this->Data.Lights, this->Data.VertexStarts.size(), input.Source->storesGradients());
       this->updateOpaqueShadows(renderer, volume, input);
     });

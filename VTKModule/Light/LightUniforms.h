@@ -55,9 +55,9 @@ struct LightUniforms
   std::vector<std::array<double, 4>> ShadowSources; // as Place, but in the normalised frame
   double Reach = 0;                                 // in the normalised frame
   double Tolerance = 0;                             // of a channel by light; 0: none is kept
-  int MostSamples = 256;                            // on a ray, with a tolerance, by llvmpipe
-  bool ThroughCuts = false;                         // what is clipped away absorbs no light
-  double OpaqueReach = 0; // the same for shadows of opaque geometry; infinity: no limit
+  int TurnsOfSample = 1;    // about, of the loops of the rays from a sample of the light
+  bool ThroughCuts = false; // what is clipped away absorbs no light
+  double OpaqueReach = 0;   // the same for shadows of opaque geometry; infinity: no limit
   int OcclusionDirections = 0;
   double OcclusionRadius = 0;
   int ShadowlessLights = 0; // lights beyond MostShadowSources, which cast no shadows

@@ -86,9 +86,10 @@ VariantKey VariantKey::filtered() const
   key.Scattering = key.Scattering && key.Shading;
   key.CastShadows = key.CastShadows && key.Shading && !key.HeadlightOnly;
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
-  key.SampledShadows = key.SampledShadows && key.CastShadows;
   key.LightTolerance = key.LightTolerance && key.Shading && !key.PointSampled;
   key.Occlusion = key.Occlusion && key.Shading;
+  key.SampledShadows =
+    key.SampledShadows && (key.CastShadows || (key.Occlusion && key.LightTolerance));
   // With several scalars, or if the whole ray counts, every cell may be visible.
   key.VisiblePart = key.VisiblePart && key.EntryLists && !key.isKnownAtEnd() &&
                     (key.isComposite() || key.PointScalars) &&

@@ -118,6 +118,8 @@ struct VariantKey
   bool hasShadows() const;
   /** Light is stored at the vertices. */
   bool hasVertexLight() const;
+  /** Ambient light is sampled along each ray. */
+  bool samplesOcclusion() const;
   /** The error of the integration is bounded along the ray; that of a constant is 0. */
   bool hasErrorBound() const;
   /** Total variations of the transfer functions are read: for error bounds, or for scalars that

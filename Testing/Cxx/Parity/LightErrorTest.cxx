@@ -66,14 +66,12 @@ public:
   }
 
   // Pixels keep the tolerance of light, beside that of the integral, which is small.
-  void expectToleranceKept() const
+  void expectToleranceKept(int method = Settings::SHADOWS_AUTOMATIC) const
   {
     for (const double tolerance : { 8.0 / 255.0, 2.0 / 255.0 })
     {
       this->Of.Mapper->SetLightTolerance(tolerance);
-      EXPECT_LE(
-        this->errorOfShadows(Settings::SHADOWS_AUTOMATIC, "within a tolerance").Percentile999,
-        tolerance);
+      EXPECT_LE(this->errorOfShadows(method, "within a tolerance").Percentile999, tolerance);
     }
   }
 
@@ -188,5 +186,6 @@ TEST(LightError, Occlusion)
   scene.Mapper->SetAmbientOcclusionRadius(0.2);
   const ExactLight exact(scene, Settings::SHADOWS_OFF);
   EXPECT_LE(exact.errorOfShadows(Settings::SHADOWS_OFF, "occlusion").Rms, 4.0 / 255.0);
+  exact.expectToleranceKept(Settings::SHADOWS_OFF);
 }
 } // namespace

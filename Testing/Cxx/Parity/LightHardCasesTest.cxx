@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light where rays towards it are hard: along faces and edges, from and to vertices, from inside of
 // the volume, far away, behind a hole, in dense cells. Every way of computing shadows stays within
-// 0 to 1 and loses no ray; with a tolerance, 99 % of the pixels keep it.
+// 0 to 1 and loses no ray; with a tolerance, 99.9 % of the pixels keep it.
 #include "CpuReference.h"
 #include "Lights.h"
 #include "NonConvexGrids.h"
@@ -28,6 +28,7 @@ struct Case
   bool IsPoint;        // else at infinity
   double UnitDistance; // of 1 and less opacity
   bool HasHole = false;
+  bool IsAmbient = false; // most of the light, and occluded
 };
 
 const Case Cases[] = {
@@ -40,6 +41,7 @@ const Case Cases[] = {
   { "BehindAHole", { 0.5, 0.5, 9.0 }, false, 0.25, true },
   { "DenseCells", { 3.0, 4.0, 1.5 }, false, 0.001 },
   { "DenseCellsFromInside", { 0.45, 0.55, 0.6 }, true, 0.004 },
+  { "AmbientOcclusion", { 3.0, 4.0, 1.5 }, false, 0.02, true, true },
 };
 
 template <typename AnyScene>
@@ -49,8 +51,9 @@ void shine(AnyScene& scene, const Case& test)
   light->SetPositional(test.IsPoint);
   light->SetConeAngle(180.0);
   scene.property()->ShadeOn();
-  scene.property()->SetAmbient(0.2);
-  scene.property()->SetDiffuse(0.8);
+  scene.property()->SetAmbient(test.IsAmbient ? 0.7 : 0.2);
+  scene.Mapper->SetAmbientOcclusion(test.IsAmbient);
+  scene.property()->SetDiffuse(test.IsAmbient ? 0.3 : 0.8);
   scene.property()->SetSpecular(0.0);
   scene.property()->SetScalarOpacityUnitDistance(test.UnitDistance);
   scene.Mapper->SetVolumetricScatteringBlending(1.5f);
@@ -88,7 +91,7 @@ void expectSoundLight(AnyScene& scene, const Case& test)
   EXPECT_EQ(scene.Mapper->GetLastFrameStatistics()->GetNumberOfLostRays(), 0);
   const Difference difference = compare(drawn, truthOf(scene), {}, tolerance);
   std::cout << "[ MEASURED ] " << test.Name << ": " << difference.text() << '\n';
-  EXPECT_LE(100 * difference.Over, difference.Pixels);
+  EXPECT_LE(1000 * difference.Over, difference.Pixels);
   EXPECT_LE(difference.Rms, 0.3 / 255.0);
 }
 
@@ -110,8 +113,9 @@ TEST_P(LightHardCases, InImages)
   expectSoundLight(scene, this->GetParam());
 }
 
-// A dense wire in fog. On llvmpipe, a ray through this many cells evaluates light at 31 points at
-// most (mostSamples() in Light/EffectStage.cxx). They suffice if they lie where light changes.
+// A dense wire in fog. On llvmpipe, a ray through this many cells evaluates light at some 100
+// points at most (Shaders/light/sampled_shadows_adaptive.glsl). They suffice if they lie where
+// light changes.
 TEST(LightInManyCells, AWire)
 {
   const auto wire = [](double x, double y, double)
