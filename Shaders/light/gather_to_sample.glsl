@@ -1,7 +1,7 @@
 // A sample of the light is due at a given transmittance of the ray, also within a cell.
 
 CONSTANT real LEAST_PART_TO_SAMPLE = real(0.00048828125); // of an interval
-CONSTANT int MOST_CUTS = 8;                               // of an interval
+CONSTANT int MOST_TRIALS_TO_SAMPLE = 64;                  // the last one takes the rest
 
 // Whether a part that ends with that transmittance is to end earlier. length: of the part, in 0..1 of the interval.
 bool isBeyondSample(real transmittance, real length, SamplePause pause)
@@ -22,25 +22,36 @@ real fractionToSample(real before, real behind, SamplePause pause)
 int gatherToSample(
   real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance, INOUT(SamplePause) pause)
 {
-  real extent = cell.end - cell.begin;
-  real length = real(1);
+  vec2 whole = vec2(cell.begin, cell.end);
+  real position = real(0); // of the part in the interval
+  real step = real(1);     // its length
   int lookups = 0;
-  int cuts = 0;
-  bool beyond = true;
-  Radiance before = radiance;
-  while (beyond && cuts < MOST_CUTS)
+  int trials = 0;
+  bool pending = true;
+  while (pending && trials < MOST_TRIALS_TO_SAMPLE)
   {
-    radiance = before;
-    lookups = lookups + gatherCell(thicknessPerDepth, cell, radiance);
-    cuts = cuts + 1;
-    beyond = isBeyondSample(radiance.transmittance, length, pause) && cuts < MOST_CUTS;
-    if (beyond)
+    trials = trials + 1;
+    bool rest = trials == MOST_TRIALS_TO_SAMPLE;
+    real end = rest || step >= real(1) - position ? real(1) : position + step;
+    cell.begin = position > real(0) ? whole.x + (whole.y - whole.x) * position : whole.x;
+    cell.end = end < real(1) ? whole.x + (whole.y - whole.x) * end : whole.y;
+    Radiance tried = radiance;
+    lookups = lookups + gatherCell(thicknessPerDepth, cell, tried);
+    if (isBeyondSample(tried.transmittance, end - position, pause) && !rest)
     {
-      length = length * fractionToSample(before.transmittance, radiance.transmittance, pause);
-      cell.end = cell.begin + extent * length;
+      step = (end - position) * fractionToSample(radiance.transmittance, tried.transmittance, pause);
+    }
+    else
+    {
+      radiance = tried;
+      step = real(2) * (end - position);
+      position = end;
+      pending = position < real(1) && !isOpaque(radiance) && radiance.transmittance > pause.nextSample;
     }
   }
-  pause.within = length < real(1) && !isOpaque(radiance);
+  pause.within = position < real(1) && radiance.transmittance <= pause.nextSample && !isOpaque(radiance);
+  cell.begin = whole.x;
+  cell.end = pause.within ? cell.end : whole.y;
   return lookups;
 }
 #endif

@@ -84,6 +84,7 @@ void keepCell(RayPosition place, INOUT(CellInterval) cell, INOUT(March) march)
 {
 #if TETMARCH_PAUSES_WITHIN
   cell.before = place;
+  march.pause.within = false;
 #elif TETMARCH_SAMPLED_SHADOWS
   march.pause.start = startIn(place);
 #endif

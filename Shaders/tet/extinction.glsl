@@ -135,7 +135,7 @@ void marchExtinctionToExit(
 }
 
 #if TETMARCH_COUNTS_TURNS
-CONSTANT int TURNS_OF_SEARCH = 6;  // about, for the next entry
+CONSTANT int TURNS_OF_SEARCH = 6; // about, for the next entry
 #endif
 
 // Marches the ray between two depths.

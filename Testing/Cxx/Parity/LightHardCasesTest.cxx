@@ -29,6 +29,7 @@ struct Case
   double UnitDistance; // of 1 and less opacity
   bool HasHole = false;
   bool IsAmbient = false; // most of the light, and occluded
+  float Scattering = 1.5f;
 };
 
 const Case Cases[] = {
@@ -56,7 +57,7 @@ void shine(AnyScene& scene, const Case& test)
   scene.property()->SetDiffuse(test.IsAmbient ? 0.3 : 0.8);
   scene.property()->SetSpecular(0.0);
   scene.property()->SetScalarOpacityUnitDistance(test.UnitDistance);
-  scene.Mapper->SetVolumetricScatteringBlending(1.5f);
+  scene.Mapper->SetVolumetricScatteringBlending(test.Scattering);
   scene.Mapper->SetAccuracyLevelToAccurate();
 }
 
@@ -111,6 +112,16 @@ TEST_P(LightHardCases, InImages)
 {
   StructuredScene scene(imageOf(sineField(), unitCube(Cells)), 48, 48);
   expectSoundLight(scene, this->GetParam());
+}
+
+// A cell with one gradient is not integrated in parts, but divided by samples. All light is
+// scattered: a surface has the one shade of its cell, which no tolerance changes.
+TEST(LightInDenseCells, WithOneGradientEach)
+{
+  Scene scene(jitteredLattice(Cells, 0.0, 1, sineField()), 48, 48);
+  scene.Mapper->SetGradientTypeToCell();
+  expectSoundLight(
+    scene, { "WithOneGradientEach", { 3.0, 4.0, 1.5 }, false, 0.004, false, false, 2.0f });
 }
 
 // A dense wire in fog. On llvmpipe, a ray through this many cells evaluates light at some 100
