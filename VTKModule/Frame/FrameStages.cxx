@@ -250,7 +250,7 @@ Fingerprint FrameStages::lightVersion(const VariantKey& key) const
   add(version, lights.Reach);
   add(version, lights.OcclusionRadius);
   version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
-  // What is sampled along rays is not kept.
+  // The pass at vertices leaves out the light that rays of the picture sample.
   version.push_back(key.SampledShadows ? 1 : 0);
   version.push_back(key.samplesOcclusion() ? 1 : 0);
   version.push_back(key.NanShown ? 1 : 0);

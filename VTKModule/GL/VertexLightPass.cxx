@@ -34,7 +34,7 @@ double secondsSince(Clock::time_point begin)
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// The rest is sampled along the rays of the picture.
+// The lights of the pass at vertices; the rays of the picture sample the others.
 LightUniforms keptLights(const LightUniforms& lights, const VariantKey& key)
 {
   LightUniforms kept = lights;

@@ -45,7 +45,7 @@ private:
     MarchInputs Inputs;
     Viewport All; // all texels of the texture
     std::size_t Vertices;
-    LightUniforms Lights; // those that are kept
+    LightUniforms Lights; // those that the rays of the picture don't sample
   };
 
   std::string showSomething(
