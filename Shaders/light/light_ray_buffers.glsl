@@ -9,6 +9,10 @@ uniform int expectedLightTurns; // of the loops of the rays from a sample; at le
 
 vec4 fetchShadowSource(int i) { return shadowSource[i]; }
 
+#if TETMARCH_SAMPLED_SURFACES
+#include "light/opaque_surface_buffers.glsl"
+#endif
+
 #if TETMARCH_SAMPLED_SHADOWS && !TETMARCH_SAMPLED_OCCLUSION
 const int occlusionDirectionCount = 0; // ambient light is that of vertices
 const float occlusionRadius = 0.0;

@@ -2,6 +2,9 @@
 
 #include "light/sphere_direction.glsl"
 #include "light/incoming_light.glsl"
+#if TETMARCH_SAMPLED_SURFACES
+#include "light/opaque_surfaces.glsl"
+#endif
 
 // The transmittance towards each light from a point in the cell of the start.
 vec4 sampleLight(Ray ray, LightStart start, real depth)
@@ -10,7 +13,11 @@ vec4 sampleLight(Ray ray, LightStart start, real depth)
   lightTurns = 0;
 #endif
   start.point = ray.origin + ray.direction * depth;
+#if TETMARCH_SAMPLED_SURFACES
+  return incomingLight(start, lightsKeptOff(ray, start.point));
+#else
   return incomingLight(start, 0u);
+#endif
 }
 
 // Adds the stored part, with the given transmittance of the light.

@@ -5,6 +5,7 @@
 // two samples.
 
 CONSTANT real FIRST_SPACING = real(0.001953125); // opacity before the first sample
+CONSTANT real LEAST_SPACING = real(1e-6);        // a guard
 CONSTANT real NO_SAMPLE = real(2);               // more than there is
 CONSTANT int MOST_SAMPLES_OF_LIGHT = 4096;       // per ray; a guard
 
@@ -29,7 +30,6 @@ real widestSpacing(int left, real transmittance)
 void setNextSample(real spacing, INOUT(March) march)
 {
   march.pause.due = false;
-  march.pause.within = false;
   march.pause.nextSample = march.radiance.transmittance - spacing;
   march.pause.least = march.pause.nextSample - real(0.25) * spacing;
 }
@@ -55,14 +55,18 @@ void marchAndSample(
     marchOn(ray, thicknessPerDepth, depthEnd, traversal, march);
     marching = march.pause.due;
     vec4 found = light;
-    if (pendingTimes(all, march.radiance) > (marching ? real(0) : budget))
+    real waiting = pendingTimes(all, march.radiance);
+    if (waiting > (marching ? real(0) : budget))
     {
       found = sampleLight(ray, march.pause.start, march.pause.depth);
       most = min(most, mostLightSamples());
     }
     vec4 before = known ? light : found;
-    real error = real(0.5) * pendingTimes(found - before, march.radiance);
-    if (error > budget && spacing > budget && 2 * samples < most)
+    real error = real(0.5) * (known ? pendingTimes(found - before, march.radiance) : waiting);
+    real wide = widestSpacing(most - samples, march.radiance.transmittance);
+    // Colours may be greater than the opacity: of bright light, or of several sources.
+    bool coarse = error > budget || waiting > real(1.5) * wide;
+    if (coarse && spacing > LEAST_SPACING && 2 * samples < most)
     {
       march = from;
       traversal = start;
@@ -71,11 +75,12 @@ void marchAndSample(
     }
     else
     {
+      real opacity = from.radiance.transmittance - march.radiance.transmittance;
+      wide = wide / max(waiting / max(opacity, TINY), real(1));
       addPending(march.radiance, before + (found - before) * pendingPlace(from.radiance.transmittance, march.radiance));
 #if TETMARCH_LIGHT_ERROR
       march.radiance.lightError = march.radiance.lightError + error;
 #endif
-      real wide = widestSpacing(most - samples, march.radiance.transmittance);
       spacing = error < real(0.5) * budget ? wide * (known ? real(1) : jitter + real(0.5)) : min(real(2) * spacing, wide);
       light = found;
       known = true;

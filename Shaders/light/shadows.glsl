@@ -25,9 +25,6 @@ void addShadowed(INOUT(Illumination) lit, int i, Light light, vec4 incoming)
 #endif
 #if TETMARCH_SAMPLED_BEAMS
   kept = channel < 0 ? kept : strength;
-#if TETMARCH_OPAQUE_SHADOWS
-  strength = strength * incomingFrom(channel, incoming); // by opaque geometry; samples add the volume
-#endif
   lit.beamA = addLight(lit.beamA, dimLight(light, channel == 0 ? strength : real(0)));
 #if TETMARCH_SEVERAL_SHADOWS
   lit.beamB = addLight(lit.beamB, dimLight(light, channel == 1 ? strength : real(0)));

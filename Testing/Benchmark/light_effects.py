@@ -58,7 +58,7 @@ EFFECTS = {
                          {**SHADOWS, "VolumetricScatteringBlending": 2.0}),
     "occlusion": Effect("one light, ambient occlusion", (*AT_POINTS, *list(TOLERANCES)[::2]),
                         {"AmbientOcclusion": True}, material=(0.7, 0.3, 0.0), coarser=2),
-    "opaque-shadows": Effect("one light with shadows, also of an opaque bar", (AT_VERTICES, "along rays"),
+    "opaque-shadows": Effect("one light with shadows, also of an opaque bar", (AT_VERTICES, "along rays", *TOLERANCES),
                              {**SHADOWS, "OpaqueShadows": True}, bar=True),
     "gradient-opacity": Effect("gradient opacity, no light", (*ON_SURFACES, *BY_VTK), {}, material=(),
                                gradient_opacity=True),
@@ -77,5 +77,5 @@ def settings_of(effect, way):
 def keeps_light(effect, way):
     """Whether points of the volume keep light, which is computed when the light moves."""
     settings = settings_of(effect, way)
-    shadows = settings["ShadowMethod"] == Settings.SHADOWS_AT_VERTICES and not settings["LightTolerance"]
-    return shadows or settings["OpaqueShadows"] or settings["AmbientOcclusion"]
+    shadows = settings["ShadowMethod"] == Settings.SHADOWS_AT_VERTICES
+    return (shadows or settings["AmbientOcclusion"]) and not settings["LightTolerance"]

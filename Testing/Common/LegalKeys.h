@@ -120,7 +120,7 @@ inline std::vector<VariantKey> legalKeys()
 }
 
 /// Of the light at vertices, for the pictures that have it; in whatever number of slabs, or of
-/// buffers of tetrahedra, and through cuts or not.
+/// buffers of tetrahedra, through cuts or not, and past opaque geometry or not.
 inline std::vector<VariantKey> legalLightKeys()
 {
   DistinctKeys legal;
@@ -128,11 +128,12 @@ inline std::vector<VariantKey> legalLightKeys()
   {
     if (picture.hasVertexLight())
     {
-      for (const int bits : { 0, 1, 2, 3 })
+      for (int bits = 0; bits < 8; ++bits)
       {
         const bool reenters = bits & 1;
         VariantKey key = picture;
         key.LightThroughCuts = bits & 2;
+        key.OpaqueShadows = bits & 4;
         legal.add(key.ofVertexLight(reenters));
         key.Slabs = key.Structured;
         key.ManySlabs = false;

@@ -36,6 +36,7 @@ const Derived Conditions[] = {
   { "LIT", &VariantKey::isLit },
   { "SHADOWS", &VariantKey::hasShadows },
   { "VERTEX_LIGHT", &VariantKey::hasVertexLight },
+  { "SAMPLED_SURFACES", &VariantKey::samplesSurfaces },
   { "ERROR_BOUND", &VariantKey::hasErrorBound },
   { "VARIATIONS", &VariantKey::needsVariations },
 };

@@ -62,9 +62,13 @@ TEST_F(OpaqueShadowStage, LightAndVolumeRedoThemAndTheCameraDoesNot)
   this->property()->SetDiffuse(0.3);
   this->property()->SetScalarOpacityUnitDistance(7.0);
   this->Options.Occlusion = true;
-  this->Options.Shadows = ShadowMethod::AlongRays;
   this->touchScalars();
   expectRun(0);
+  // Along rays the triangles themselves are searched.
+  this->Options.Shadows = ShadowMethod::AlongRays;
+  expectRun(1);
+  EXPECT_TRUE(this->Stage.data().ShadowedVertices.empty());
+  EXPECT_FALSE(this->Stage.data().SurfaceTexels.empty());
   sun->SetPosition(0.1, 0.2, 1.0);
   expectRun(1);
   this->Volume->RotateX(30.0);
@@ -118,6 +122,6 @@ TEST_F(OpaqueShadowStage, AnActorWithoutVolume)
   nowhere->Zero();
   actor->SetUserMatrix(nowhere);
   this->Renderer->AddActor(actor);
-  this->expectNoShadow();
+  this->expectNone();
 }
 } // namespace

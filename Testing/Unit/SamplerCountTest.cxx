@@ -109,6 +109,9 @@ TEST(SamplerCount, FittedKeysGatherTheSame)
     fewer.VisiblePart = key.VisiblePart;
     fewer.Leaps = key.Leaps;
     fewer.TransparentRanges = key.TransparentRanges; // of leaps
+    EXPECT_TRUE(fewer.EntryLists || fewer.Hierarchy || key.Structured) << namesOf(key);
+    fewer.EntryLists = key.EntryLists;
+    fewer.Reentered = key.Reentered; // of lists
     ASSERT_EQ(fewer.bits(), key.bits()) << namesOf(key);
   }
   EXPECT_GT(fitted, 1000);

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, const char*> Others{
   { "high - low > 1", "each turn halves the distance" },
   { "node >= 0 || face < end", "each node of a tree is visited once" },
+  { "node > 0 || triangle < end", "each node of a tree is visited once" },
 };
 
 struct Loop

@@ -260,7 +260,10 @@ Fingerprint FrameStages::lightVersion(const VariantKey& key) const
     addAll(version, this->Cut.Planes[i]);
   }
   add(version, this->Effects.gradientOpacityVersion());
-  add(version, this->Effects.opaqueShadowsVersion());
+  if (!key.SampledShadows)
+  {
+    add(version, this->Effects.opaqueShadowsVersion());
+  }
   return version;
 }
 

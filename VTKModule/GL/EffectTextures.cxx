@@ -9,6 +9,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace tetmarch
 {
 
@@ -49,11 +52,21 @@ std::string EffectTextures::update(
   }
   if (error.empty())
   {
-    error = this->OpaqueShadows.update(window, key.OpaqueShadows, stage.opaqueShadowsVersion(),
+    const bool atVertices = key.OpaqueShadows && !key.SampledShadows;
+    error = this->OpaqueShadows.update(window, atVertices, stage.opaqueShadowsVersion(),
       [&](TextureBuffer& buffer)
       {
         const auto& shadowed = data.ShadowedVertices;
         return buffer.upload(window, TexelFormat::R8UI, shadowed.data(), shadowed.size());
+      });
+  }
+  if (error.empty())
+  {
+    error = this->Surfaces.update(window, key.samplesSurfaces(), stage.surfacesVersion(),
+      [&](TextureBuffer& buffer)
+      {
+        const auto& texels = data.SurfaceTexels;
+        return buffer.upload(window, TexelFormat::RGBA32F, texels.data(), texels.size());
       });
   }
   return error.empty() ? this->updateJitter(window, key.SampledShadows || key.PointSampled) : error;
@@ -124,6 +137,14 @@ void EffectTextures::bindVertexRays(vtkShaderProgram* program, const VariantKey&
   }
 }
 
+void EffectTextures::bindSurfaces(vtkShaderProgram* program, const EffectData& data)
+{
+  this->Surfaces.bind(program, "opaqueSurfaceBuffer");
+  program->SetUniformi("opaqueSurfaceCount", static_cast<int>(data.Opaque.size()));
+  program->SetUniformf("opaqueReach", static_cast<float>(std::min(data.Lights.OpaqueReach,
+                                        double(std::numeric_limits<float>::max()))));
+}
+
 void EffectTextures::bindJitter(vtkShaderProgram* program)
 {
   this->Jitter->Activate();
@@ -136,6 +157,7 @@ void EffectTextures::unbind()
   this->GradientOpacity.unbind();
   this->Starts.unbind();
   this->OpaqueShadows.unbind();
+  this->Surfaces.unbind();
   if (this->Jitter)
   {
     this->Jitter->Deactivate();
@@ -148,20 +170,22 @@ void EffectTextures::release(vtkWindow* window)
   this->GradientOpacity.release(window);
   this->Starts.release(window);
   this->OpaqueShadows.release(window);
+  this->Surfaces.release(window);
   this->releaseJitter(window);
 }
 
 std::size_t EffectTextures::bytes() const
 {
   return this->Gradients.bytes() + this->GradientOpacity.bytes() + this->Starts.bytes() +
-         this->OpaqueShadows.bytes() +
+         this->OpaqueShadows.bytes() + this->Surfaces.bytes() +
          (this->Jitter ? sizeof(float) * BlueNoiseSide * BlueNoiseSide : 0);
 }
 
 std::int64_t EffectTextures::uploadedBytes() const
 {
   return this->Gradients.uploadedBytes() + this->GradientOpacity.uploadedBytes() +
-         this->Starts.uploadedBytes() + this->OpaqueShadows.uploadedBytes();
+         this->Starts.uploadedBytes() + this->OpaqueShadows.uploadedBytes() +
+         this->Surfaces.uploadedBytes();
 }
 
 } // namespace tetmarch

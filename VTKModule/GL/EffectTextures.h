@@ -27,6 +27,8 @@ public:
   void bind(vtkShaderProgram* program, const EffectData& data, const VariantKey& key);
   /** What Shaders/light/vertex_ray_buffers.glsl declares. */
   void bindVertexRays(vtkShaderProgram* program, const VariantKey& key);
+  /** What Shaders/light/opaque_surface_buffers.glsl declares. */
+  void bindSurfaces(vtkShaderProgram* program, const EffectData& data);
   /** For samples along rays. */
   void bindJitter(vtkShaderProgram* program);
   void unbind();
@@ -42,7 +44,8 @@ private:
   Versioned<CellBuffer> Gradients; // of vertices or of cells
   VersionedBuffer GradientOpacity;
   VersionedBuffer Starts;
-  VersionedBuffer OpaqueShadows;
+  VersionedBuffer OpaqueShadows; // of vertices
+  VersionedBuffer Surfaces;      // that cast shadows
   vtkSmartPointer<vtkTextureObject> Jitter;
   double GradientUnit = 1;
 };

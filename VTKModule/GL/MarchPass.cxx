@@ -78,6 +78,10 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   {
     bindLightRays(program, stages.effects().data().Lights, key);
   }
+  if (key.samplesSurfaces())
+  {
+    inputs.Effects->bindSurfaces(program, stages.effects().data());
+  }
   if (key.SampledShadows || key.PointSampled)
   {
     inputs.Effects->bindJitter(program);

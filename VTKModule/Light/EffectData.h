@@ -27,8 +27,11 @@ struct EffectData
   /** Starting points of rays from vertices, see Mesh/VertexStarts.h. */
   std::vector<std::array<std::uint32_t, 4>> VertexStarts; // if there are shadows or occlusion
   OpaqueShadows Opaque;
-  /** For each vertex, bit k is 1 if opaque geometry blocks the light of shadow source k. */
-  std::vector<std::uint8_t> ShadowedVertices; // empty without such geometry
+  /** For each vertex, bit k is 1 if opaque geometry blocks the light of shadow source k. Empty
+   * without such geometry, or if rays of the picture certainly sample it. */
+  std::vector<std::uint8_t> ShadowedVertices;
+  /** See OpaqueShadows::texels(). Empty if rays of the picture certainly don't sample them. */
+  std::vector<std::array<float, 4>> SurfaceTexels;
 
   bool empty() const { return this->GradientOpacity.empty() && this->Lights.Sources.empty(); }
 };

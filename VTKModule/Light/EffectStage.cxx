@@ -232,13 +232,20 @@ void EffectStage::updateOpaqueShadows(
   {
     surfaces = opaqueSurfaces(renderer, input.Blocks);
   }
-  const Fingerprint which = surfaces.empty()
-                              ? Fingerprint()
-                              : inputOf(surfaces, volume, lights, input.Source->geometryVersion());
-  std::vector<std::uint8_t> before;
+  const bool atVertices = !this->certainlySamplesShadows();
+  const bool alongRays = this->samplesShadows(0);
+  Fingerprint which;
+  if (!surfaces.empty())
+  {
+    which = inputOf(surfaces, volume, lights, input.Source->geometryVersion());
+    which.push_back((atVertices ? 1 : 0) + (alongRays ? 2 : 0));
+  }
+  std::vector<std::uint8_t> shadowedBefore;
+  std::vector<std::array<float, 4>> texelsBefore;
   const auto free = [&]
   {
-    before.swap(this->Data.ShadowedVertices);
+    shadowedBefore.swap(this->Data.ShadowedVertices);
+    texelsBefore.swap(this->Data.SurfaceTexels);
     if (which.empty())
     {
       this->Data.Opaque = {};
@@ -248,10 +255,18 @@ void EffectStage::updateOpaqueShadows(
   {
     this->Data.Opaque.update(surfaces, volume, input.Source->frame(), lights);
     const std::vector<EffectSource::VertexStart>& starts = this->Data.VertexStarts;
-    this->Data.ShadowedVertices =
-      this->Data.Opaque.ofPoints(starts.size(), [&](std::size_t vertex, Vector3& point)
-        { return input.Source->startPoint(vertex, starts[vertex], point); });
-    this->DistinctOpaqueShadows += this->Data.ShadowedVertices == before ? 0 : 1;
+    if (atVertices && this->Data.Opaque.size() > 0)
+    {
+      this->Data.ShadowedVertices =
+        this->Data.Opaque.ofPoints(starts.size(), [&](std::size_t vertex, Vector3& point)
+          { return input.Source->startPoint(vertex, starts[vertex], point); });
+    }
+    if (alongRays)
+    {
+      this->Data.SurfaceTexels = this->Data.Opaque.texels();
+    }
+    this->DistinctOpaqueShadows += this->Data.ShadowedVertices == shadowedBefore ? 0 : 1;
+    this->DistinctSurfaces += this->Data.SurfaceTexels == texelsBefore ? 0 : 1;
   };
   this->OpaqueShadows.update(which, free, make);
 }
@@ -262,13 +277,18 @@ Fingerprint EffectStage::opaqueShadowsVersion() const
                                              : Fingerprint{ this->DistinctOpaqueShadows };
 }
 
+bool EffectStage::certainlySamplesShadows() const
+{
+  return this->Options.Shadows == ShadowMethod::AlongRays || this->Options.Tolerance > 0;
+}
+
 bool EffectStage::samplesShadows(double pixels) const
 {
   // A ray of the picture takes about 8 samples of each light, a vertex one. A tolerance takes more,
   // but where they matter.
   constexpr double samples = 8;
   // Scattered light casts shadows even if the method is off; the cheaper method is used.
-  return this->Options.Shadows == ShadowMethod::AlongRays || this->Options.Tolerance > 0 ||
+  return this->certainlySamplesShadows() ||
          (this->Options.Shadows != ShadowMethod::AtVertices &&
            static_cast<double>(this->Data.VertexStarts.size()) > samples * pixels);
 }
@@ -289,7 +309,7 @@ void EffectStage::setBits(VariantKey& key, double pixels) const
   key.SampledShadows = this->samplesShadows(pixels);
   key.LightTolerance = this->Options.Tolerance > 0;
   key.LightThroughCuts = this->Options.ThroughCuts;
-  key.OpaqueShadows = !this->Data.ShadowedVertices.empty();
+  key.OpaqueShadows = this->Data.Opaque.size() > 0;
   key.HeadlightShadows = lights.hasHeadlightShadows();
   key.Occlusion = lights.OcclusionDirections > 0;
   key.ShowIllumination = this->Options.Shown == Subject::Illumination;

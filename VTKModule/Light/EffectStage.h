@@ -61,6 +61,8 @@ public:
   const Fingerprint& startsVersion() const { return this->Starts.input(); }
   /** Changes only if the shadow of some vertex has changed. */
   Fingerprint opaqueShadowsVersion() const;
+  /** Changes only if a surface has changed, or has moved beside the volume. */
+  Fingerprint surfacesVersion() const { return { this->DistinctSurfaces }; }
 
 private:
   Lighting lighting(vtkRenderer* renderer, vtkVolumeProperty* property) const;
@@ -68,6 +70,7 @@ private:
   void updateGradientOpacity(vtkVolume* volume, const EffectInput& input, bool needed);
   void updateStarts(const EffectSource& source, bool needed);
   void updateOpaqueShadows(vtkRenderer* renderer, vtkVolume* volume, const EffectInput& input);
+  bool certainlySamplesShadows() const;
   bool samplesShadows(double pixels) const;
 
   EffectOptions Options;
@@ -78,6 +81,7 @@ private:
   CachedStage Starts;
   CachedStage OpaqueShadows;
   std::uintptr_t DistinctOpaqueShadows = 0;
+  std::uintptr_t DistinctSurfaces = 0;
 };
 
 } // namespace tetmarch

@@ -20,6 +20,8 @@ namespace
 
 using Matrix = std::array<double, 16>;
 
+constexpr std::size_t TexelsOfCaster = 4; // its matrix, and the place of its tree
+
 Matrix times(const Matrix& a, const Matrix& b)
 {
   Matrix product{};
@@ -69,7 +71,10 @@ void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume
       Matrix fromWorld{};
       vtkMatrix4x4::Invert(surface.ToWorld.data(), fromWorld.data());
       caster.FromMesh = times(fromWorld, toWorld);
-      casters.push_back(caster);
+      if (!caster.Triangles->empty())
+      {
+        casters.push_back(caster);
+      }
     }
   }
   this->Casters.swap(casters);
@@ -93,6 +98,31 @@ std::shared_ptr<const TriangleHierarchy> OpaqueShadows::hierarchyOf(
   }
   ++this->Hierarchies;
   return std::make_shared<const TriangleHierarchy>(trianglesOf(data));
+}
+
+std::vector<std::array<float, 4>> OpaqueShadows::texels() const
+{
+  constexpr std::size_t share = 4096; // of the number of a texel, which a float may not hold
+  std::vector<std::array<float, 4>> texels(TexelsOfCaster * this->Casters.size());
+  for (std::size_t c = 0; c < this->Casters.size(); ++c)
+  {
+    const Caster& caster = this->Casters[c];
+    const TriangleHierarchy::Packed tree = caster.Triangles->packed();
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const double moved = k == 3 ? caster.Triangles->center()[row] : 0;
+        texels[TexelsOfCaster * c + row][k] =
+          static_cast<float>((caster.FromMesh[4 * row + k] - moved) / caster.Triangles->radius());
+      }
+    }
+    texels[TexelsOfCaster * c + 3] = { { static_cast<float>(tree.Leaves),
+      static_cast<float>(tree.TrianglesOfLeaf), static_cast<float>(texels.size() / share),
+      static_cast<float>(texels.size() % share) } };
+    texels.insert(texels.end(), tree.Texels.begin(), tree.Texels.end());
+  }
+  return texels;
 }
 
 bool OpaqueShadows::isShadowed(const Vector3& point, std::size_t source, double margin) const

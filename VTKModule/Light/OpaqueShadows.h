@@ -20,7 +20,8 @@ namespace tetmarch
 
 struct VolumeFrame;
 
-/** Computed by rays towards the lights of LightUniforms::ShadowSources, in double precision. */
+/** Computed by rays towards the lights of LightUniforms::ShadowSources, in double precision; or on
+ * the GPU, by the same triangles. */
 class OpaqueShadows
 {
 public:
@@ -36,6 +37,11 @@ public:
   using PointOf = std::function<bool(std::size_t, Vector3&)>;
   /** For each of `count` points, bit k is 1 if it is in the shadow of light k. Parallel. */
   std::vector<std::uint8_t> ofPoints(std::size_t count, const PointOf& pointOf) const;
+
+  /** The surfaces in single precision, as Shaders/light/opaque_surface_buffers.glsl has them. */
+  std::vector<std::array<float, 4>> texels() const;
+  /** The number of surfaces. */
+  std::size_t size() const { return this->Casters.size(); }
 
   /** The number of hierarchies built so far. */
   int numberOfHierarchies() const { return this->Hierarchies; }

@@ -219,6 +219,42 @@ void TriangleHierarchy::fitBoxes()
   }
 }
 
+// Leaves with fewer triangles than others have their last one twice.
+TriangleHierarchy::Packed TriangleHierarchy::packed() const
+{
+  Packed packed;
+  packed.Leaves = std::size_t(1) << this->Levels;
+  packed.TrianglesOfLeaf = (this->Triangles.size() + packed.Leaves - 1) / packed.Leaves;
+  packed.Texels.resize(2); // no node has the number 0
+  for (auto box = this->Boxes.begin() + 1; box != this->Boxes.end(); ++box)
+  {
+    std::array<float, 4> middle{};
+    std::array<float, 4> extent{};
+    for (int k = 0; k < 3; ++k)
+    {
+      middle[k] = 0.5f * (box->Low[k] + box->High[k]);
+      extent[k] = std::max(box->High[k] - middle[k], middle[k] - box->Low[k]);
+    }
+    packed.Texels.push_back(middle);
+    packed.Texels.push_back(extent);
+  }
+  for (std::size_t leaf = 0; leaf < packed.Leaves; ++leaf)
+  {
+    const std::size_t last = this->begin(this->Levels, leaf + 1) - 1;
+    for (std::size_t i = 0; i < packed.TrianglesOfLeaf; ++i)
+    {
+      for (const std::uint32_t corner :
+        this->Triangles[std::min(this->begin(this->Levels, leaf) + i, last)])
+      {
+        const Vector3& p = this->Points[corner];
+        packed.Texels.push_back(
+          { { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), 0 } });
+      }
+    }
+  }
+  return packed;
+}
+
 bool TriangleHierarchy::isHit(const Vector3& origin, const Vector3& direction, double end) const
 {
   const Ray ray(

@@ -29,6 +29,19 @@ public:
    */
   bool isHit(const Vector3& origin, const Vector3& direction, double end) const;
 
+  /** The tree in single precision, for a shader. Its coordinates are about center(), in units of
+   * radius(). */
+  struct Packed
+  {
+    std::vector<std::array<float, 4>> Texels; // see Shaders/light/opaque_surface_buffers.glsl
+    std::size_t Leaves = 0;
+    std::size_t TrianglesOfLeaf = 0;
+  };
+  Packed packed() const;
+  const Vector3& center() const { return this->Center; }
+  double radius() const { return this->Radius; }
+  bool empty() const { return this->Triangles.empty(); }
+
 private:
   struct Box
   {

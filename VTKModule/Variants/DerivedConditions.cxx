@@ -25,6 +25,7 @@ bool VariantKey::isLit() const { return TETMARCH_LIT; }
 bool VariantKey::hasShadows() const { return TETMARCH_SHADOWS; }
 bool VariantKey::hasVertexLight() const { return TETMARCH_VERTEX_LIGHT; }
 bool VariantKey::samplesOcclusion() const { return TETMARCH_SAMPLED_OCCLUSION; }
+bool VariantKey::samplesSurfaces() const { return TETMARCH_SAMPLED_SURFACES; }
 bool VariantKey::hasErrorBound() const { return TETMARCH_ERROR_BOUND; }
 bool VariantKey::needsVariations() const { return TETMARCH_VARIATIONS; }
 

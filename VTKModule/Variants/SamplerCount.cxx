@@ -34,7 +34,8 @@ int samplersOfLight(const VariantKey& key)
 {
   const bool stored = key.hasStoredGradients();
   return (stored ? 1 : 0) + (stored && key.CellGradients && key.SplitCells ? 1 : 0) +
-         (key.GradientOpacity ? 1 : 0) + (key.hasVertexLight() ? 1 : 0);
+         (key.GradientOpacity ? 1 : 0) + (key.hasVertexLight() ? 1 : 0) +
+         (key.samplesSurfaces() ? 1 : 0);
 }
 
 } // namespace
@@ -55,6 +56,9 @@ VariantKey fittedTo(int units, const VariantKey& key)
   VariantKey fewer = key;
   fewer.VisiblePart = false;
   fewer.Leaps = false;
+  // Rays of pixels can search the hierarchy that rays towards the light search.
+  fewer.EntryLists =
+    fewer.EntryLists && (!fewer.Hierarchy || samplersOf(fewer.filtered()) <= units);
   return fewer.filtered();
 }
 

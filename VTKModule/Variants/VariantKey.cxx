@@ -210,7 +210,7 @@ VariantKey VariantKey::ofVertexLight(bool reenters) const
   key = key.filtered();
   key.EntryLists = false;
   key.Hierarchy = reenters && !key.Structured;
-  key.OpaqueShadows = this->OpaqueShadows;
+  key.OpaqueShadows = this->OpaqueShadows && !this->SampledShadows;
   key.LightThroughCuts = this->LightThroughCuts;
   return key;
 }

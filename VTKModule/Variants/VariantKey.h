@@ -120,6 +120,8 @@ struct VariantKey
   bool hasVertexLight() const;
   /** Ambient light is sampled along each ray. */
   bool samplesOcclusion() const;
+  /** Shadows of opaque surfaces are sampled along each ray. */
+  bool samplesSurfaces() const;
   /** The error of the integration is bounded along the ray; that of a constant is 0. */
   bool hasErrorBound() const;
   /** Total variations of the transfer functions are read: for error bounds, or for scalars that

@@ -3,7 +3,9 @@
 // Pictures of volumes in the shadow of opaque geometry: the GL's against the CPU reference's, and
 // either against light computed by brute force.
 #include "CpuReference.h"
+#include "Lights.h"
 #include "LitScene.h"
+#include "StructuredScene.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
@@ -131,26 +133,59 @@ TEST_F(OpaqueShadowPicture, ThroughATunnelAndAtTheFastLevel)
   this->expectShadows();
 }
 
-// The volume is so thin that it hardly absorbs light, and so bright that it is seen. Then shadows
-// along rays are those of opaque geometry alone, and so are those at vertices.
-TEST_F(OpaqueShadowPicture, AlongRaysInThinAir)
+// Samples along rays search the surfaces themselves: a tolerance of light is kept, in dense cells,
+// in a bright light and in thin air.
+TEST_F(OpaqueShadowPicture, KeepATolerance)
 {
+  constexpr double tolerance = 2.0 / 255.0;
   this->shade();
-  this->Shown->property()->SetScalarOpacityUnitDistance(500.0);
-  this->Shown->Sun->SetIntensity(600.0);
-  this->Shown->Mapper->SetErrorTolerance(1e-4);
-  this->Shown->Mapper->AmbientOcclusionOn();
-  this->Shown->Mapper->SetShadowMethodToAlongRays();
-  const Image drawn = this->Shown->render();
-  this->Shown->Mapper->SetShadowMethodToAtVertices();
-  const Mask inside = regionsOf(*this->Shown).Inside;
-  const Difference difference =
-    compare(drawn, referenceOf(*this->Shown, this->Shown->windowDepths()).Picture, inside);
+  this->Shown->Renderer->AddActor(makeBall({ 0.5, 0.5, 0.6 }, 0.25, { 1.0, 1.0, 1.0 }));
+  vtkNew<vtkLight> source;
+  source->SetLightTypeToSceneLight();
+  source->PositionalOn();
+  source->SetConeAngle(180.0);
+  source->SetPosition(0.9, 0.5, 0.9);
+  source->SetDiffuseColor(0.3, 0.15, 0.03);
+  this->Shown->Renderer->AddLight(source);
+  this->Shown->property()->SetSpecular(0.0);
+  for (const auto& [unitDistance, intensity] :
+    { std::pair(0.02, 1.0), std::pair(1.0, 4.0), std::pair(5.0, 1.0) })
+  {
+    this->Shown->property()->SetScalarOpacityUnitDistance(unitDistance);
+    this->Shown->Sun->SetIntensity(intensity);
+    this->Shown->Mapper->SetLightTolerance(0.0);
+    this->Shown->render();
+    const Mask inside = regionsOf(*this->Shown).Inside;
+    const Image exact =
+      referenceOf(*this->Shown, this->Shown->windowDepths(), Precision::Double, LightAt::Points)
+        .Picture;
+    this->Shown->Mapper->SetLightTolerance(tolerance);
+    const Difference difference = compare(this->Shown->render(), exact, inside, tolerance);
+    std::cout << "[ MEASURED ] " << unitDistance << ": " << difference.text() << '\n';
+    EXPECT_LE(1000 * difference.Over, difference.Pixels);
+    this->Shown->Mapper->OpaqueShadowsOff();
+    EXPECT_GT(compare(this->Shown->render(), exact, inside).Rms, 4.0 * difference.Rms);
+    this->Shown->Mapper->OpaqueShadowsOn();
+  }
+}
+
+TEST_F(OpaqueShadowPicture, KeepAToleranceInAnImage)
+{
+  constexpr double tolerance = 2.0 / 255.0;
+  StructuredScene scene(imageOf(sineField(), unitCube(16)), 64, 64);
+  addLight(scene.Renderer, 2.5, 3.5, 1.0);
+  scene.Renderer->AddActor(makeSunshade(0.6));
+  scene.property()->ShadeOn();
+  scene.property()->SetScalarOpacityUnitDistance(0.25);
+  scene.Mapper->SetVolumetricScatteringBlending(2.0f);
+  scene.Mapper->OpaqueShadowsOn();
+  scene.Mapper->SetLightTolerance(tolerance);
+  const Image drawn = scene.render();
+  const Difference difference = compare(drawn, scene.drawnWith(LightAt::Points), {}, tolerance);
   std::cout << "[ MEASURED ] " << difference.text() << '\n';
-  EXPECT_LE(difference.Max, 2.0 / 255.0);
-  EXPECT_LE(difference.Rms, 0.3 / 255.0);
-  this->Shown->Mapper->OpaqueShadowsOff();
-  EXPECT_GT(compare(drawn, this->Shown->render(), inside).Max, 0.1);
+  EXPECT_LE(1000 * difference.Over, difference.Pixels);
+  scene.Mapper->OpaqueShadowsOff();
+  EXPECT_GT(compare(scene.render(), drawn).Rms, 4.0 / 255.0);
 }
 
 // A light's shadow strength says which share of it an obstacle takes away.
@@ -187,7 +222,8 @@ TEST_F(OpaqueShadowPicture, HeadlightsCastNone)
   EXPECT_EQ(this->Shown->render().Rgba, with.Rgba);
 }
 
-// In a thin medium, whose own shadows are soft: the edges of those of a plate are as wide as cells.
+// In a thin medium, whose own shadows are soft: at vertices, the edges of those of a plate are as
+// wide as cells.
 TEST(OpaqueShadowError, OfAPlateOnAThinMedium)
 {
   for (const int cubes : { 12, 24 })

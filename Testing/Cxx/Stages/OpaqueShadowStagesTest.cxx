@@ -111,7 +111,7 @@ TEST_F(OpaqueShadowStages, WhatIsOffCostsNothing)
   EXPECT_EQ(this->mapper()->GetOpaqueShadowsBuilds(), 1);
 }
 
-TEST_F(OpaqueShadowStages, AlongRaysVerticesKnowOfOpaqueGeometryAlone)
+TEST_F(OpaqueShadowStages, AlongRaysSurfacesAreSearchedAndVerticesKnowNothing)
 {
   this->Shown.Renderer->AddActor(this->Plate);
   this->mapper()->SetShadowMethodToAlongRays();
@@ -120,11 +120,23 @@ TEST_F(OpaqueShadowStages, AlongRaysVerticesKnowOfOpaqueGeometryAlone)
   EXPECT_EQ(this->mapper()->GetVertexLightBuilds(), 0);
   this->mapper()->OpaqueShadowsOn();
   this->Shown.Window->Render();
-  EXPECT_EQ(this->mapper()->GetGPUMemoryBytes() - off.Bytes, VertexLightBytes + Vertices);
-  EXPECT_EQ(this->mapper()->GetVertexLightBuilds(), 1);
+  // The place of the plate, a tree of one leaf, and two triangles.
+  constexpr vtkTypeInt64 surfaceBytes = 16 * (4 + 2 * 2 + 2 * 3);
+  EXPECT_EQ(this->mapper()->GetGPUMemoryBytes() - off.Bytes, surfaceBytes);
+  EXPECT_EQ(this->mapper()->GetVertexLightBuilds(), 0);
+  const auto expectUploaded = [&](const char* what, vtkTypeInt64 bytes)
+  {
+    const vtkTypeInt64 before = this->mapper()->GetUploadedBytes();
+    this->Shown.Window->Render();
+    EXPECT_EQ(this->mapper()->GetUploadedBytes() - before, bytes) << what;
+  };
   this->Shown.camera()->Azimuth(10.0);
-  this->expectRuns("camera", 0, 0);
+  expectUploaded("camera", 0);
   this->Shown.camera()->Azimuth(-10.0);
+  this->Shown.Sun->SetPosition(3.0, 4.0, 1.0);
+  expectUploaded("direction", 0);
+  this->Plate->AddPosition(0.25, 0.35, 0.1);
+  expectUploaded("along the light", surfaceBytes);
   this->mapper()->OpaqueShadowsOff();
   this->Shown.Window->Render();
   EXPECT_TRUE(Held(this->Shown) == off);
