@@ -13,19 +13,17 @@ struct ExtinctionMarch
 // Mean extinction between two depths in a tetrahedron that the ray enters and leaves at points (depth, scalar). `at` is
 // the table at the end of the last lookup, which is usually this begin; if it is not, the first of two iterations only
 // reads the table there.
-#if TETMARCH_READS_BOTH_ENDS
-real extinctionBetween(vec2 enter, vec2 leave, vec2 range)
-#else
+#if TETMARCH_KEEPS_EXTINCTION_POINT
 real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
+#else
+real extinctionBetween(vec2 enter, vec2 leave, vec2 range)
 #endif
 {
   real scalarBegin = range.x > enter.x ? scalarAt(enter, leave, range.x) : enter.y;
   real scalarEnd = range.y < leave.x ? scalarAt(enter, leave, range.y) : leave.y;
   real begin = scalarBegin * tableScale + tableOffset;
   real end = scalarEnd * tableScale + tableOffset;
-#if TETMARCH_READS_BOTH_ENDS
-  real mean = meanOver(begin, end).mean.w;
-#else
+#if TETMARCH_KEEPS_EXTINCTION_POINT
   int unread = at.x == begin ? 1 : 2;
   real mean = real(0);
   do
@@ -35,6 +33,8 @@ real extinctionBetween(vec2 enter, vec2 leave, vec2 range, INOUT(TablePoint) at)
     at = next;
     unread = unread - 1;
   } while (unread > 0);
+#else
+  real mean = meanOver(begin, end).mean.w;
 #endif
   return isDrawn(enter.y) && isDrawn(leave.y) ? mean : real(0);
 }
@@ -46,7 +46,7 @@ real extinctionOf(uint tet)
 }
 #endif
 
-#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
+#if TETMARCH_DENSITY_OF_FACES
 // The factor of the extinction at a face intersection.
 real densityAt(FaceIntersection face) { return gradientOpacity(attributesAt(face).gradient); }
 
@@ -82,55 +82,83 @@ real cellExtinction(real extinction, uint tet, vec2 enter, vec2 leave)
   return extinction;
 }
 
+// The face between two tetrahedra, as far as the second one needs it.
+struct ExtinctionFace
+{
+  vec2 enter; // depth and scalar
+#if TETMARCH_KEEPS_EXTINCTION_POINT
+  TablePoint at;
+#endif
+#if TETMARCH_DENSITY_OF_FACES
+  real density;
+#endif
+};
+
+// Adds the tetrahedron ahead. Returns whether the ray goes on.
+bool passTet(Ray ray, real thicknessPerDepth, real depthEnd, real darkDepth, INOUT(RayPosition) place,
+  INOUT(ExtinctionFace) face, INOUT(ExtinctionMarch) march)
+{
+  uint tet = place.side.ahead >> 2u;
+  EnteredTet ahead = tetAhead(place);
+#if TETMARCH_CORNER_SCALARS
+  face.enter = enterTet(ahead, place);
+#endif
+  vec2 enter = face.enter;
+  int exitFace = stepThrough(ray, ahead, place);
+  vec2 leave = intersectionPoint(place.face);
+  march.cells = march.cells + 1;
+
+  // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
+  vec2 range = vec2(max(enter.x, march.done), min(leave.x, depthEnd));
+  bool forward = range.y > range.x;
+#if TETMARCH_KEEPS_EXTINCTION_POINT
+  real extinction = extinctionBetween(enter, leave, range, face.at);
+#elif TETMARCH_POINT_SCALARS
+  real extinction = extinctionBetween(enter, leave, range);
+#else
+  real extinction = extinctionOf(tet);
+#endif
+#if TETMARCH_DENSITY_OF_FACES
+  real density = densityAt(place.face);
+  extinction = extinction * densityBetween(enter, leave, range, face.density, density);
+  face.density = density;
+#elif TETMARCH_GRADIENT_OPACITY
+  extinction = extinction * gradientOpacity(fetchCellGradient(tet));
+#endif
+  extinction = cellExtinction(extinction, tet, enter, leave);
+  march.opticalDepth = march.opticalDepth + (forward ? extinction * (range.y - range.x) * thicknessPerDepth : real(0));
+  march.done = forward ? range.y : march.done;
+  march.finished = march.opticalDepth > darkDepth || max(range.x, range.y) >= depthEnd;
+  face.enter = leave;
+  return exitFace >= 0 && !isOutside(place.side.ahead) && !march.finished;
+}
+
 // Marches from a face to the boundary face through which the ray leaves the mesh, like marchToExit().
 void marchExtinctionToExit(
   Ray ray, INOUT(RayPosition) place, real thicknessPerDepth, real depthEnd, INOUT(ExtinctionMarch) march)
 {
   real darkDepth = -log(errorTolerance);
-  vec2 enter = intersectionPoint(place.face);
-#if TETMARCH_POINT_SCALARS && !TETMARCH_READS_BOTH_ENDS
-  TablePoint at = tablePoint(isDrawn(enter.y) ? enter.y * tableScale + tableOffset : tableOffset);
+  ExtinctionFace face;
+  face.enter = intersectionPoint(place.face);
+#if TETMARCH_KEEPS_EXTINCTION_POINT
+  face.at = tablePoint(isDrawn(face.enter.y) ? face.enter.y * tableScale + tableOffset : tableOffset);
 #endif
   fetchCorners(place.face);
   lookAhead(place);
-#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-  real densityEnter = densityAt(place.face);
+#if TETMARCH_DENSITY_OF_FACES
+  face.density = densityAt(place.face);
 #endif
   bool onward = true;
   while (onward && march.cells < mostSteps)
   {
-    uint tet = place.side.ahead >> 2u;
-    EnteredTet ahead = tetAhead(place);
-#if TETMARCH_CORNER_SCALARS
-    enter = enterTet(ahead, place);
+    onward = passTet(ray, thicknessPerDepth, depthEnd, darkDepth, place, face, march);
+#if TETMARCH_COUNTS_TURNS
+    // Two a turn: fewer rays reach the limit, and end early.
+    if (onward)
+    {
+      onward = passTet(ray, thicknessPerDepth, depthEnd, darkDepth, place, face, march);
+    }
 #endif
-    int exitFace = stepThrough(ray, ahead, place);
-    vec2 leave = intersectionPoint(place.face);
-    march.cells = march.cells + 1;
-
-    // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
-    vec2 range = vec2(max(enter.x, march.done), min(leave.x, depthEnd));
-    bool forward = range.y > range.x;
-#if TETMARCH_READS_BOTH_ENDS
-    real extinction = extinctionBetween(enter, leave, range);
-#elif TETMARCH_POINT_SCALARS
-    real extinction = extinctionBetween(enter, leave, range, at);
-#else
-    real extinction = extinctionOf(tet);
-#endif
-#if TETMARCH_GRADIENT_OPACITY && TETMARCH_VERTEX_GRADIENTS
-    real densityLeave = densityAt(place.face);
-    extinction = extinction * densityBetween(enter, leave, range, densityEnter, densityLeave);
-    densityEnter = densityLeave;
-#elif TETMARCH_GRADIENT_OPACITY
-    extinction = extinction * gradientOpacity(fetchCellGradient(tet));
-#endif
-    extinction = cellExtinction(extinction, tet, enter, leave);
-    march.opticalDepth = march.opticalDepth + (forward ? extinction * (range.y - range.x) * thicknessPerDepth : real(0));
-    march.done = forward ? range.y : march.done;
-    march.finished = march.opticalDepth > darkDepth || max(range.x, range.y) >= depthEnd;
-    enter = leave;
-    onward = exitFace >= 0 && !isOutside(place.side.ahead) && !march.finished;
   }
 }
 
@@ -159,7 +187,7 @@ ExtinctionMarch marchExtinction(
     leaveBySearch(ray, march.finished, traversal);
   }
 #if TETMARCH_COUNTS_TURNS
-  lightTurns = lightTurns + march.cells + TURNS_OF_SEARCH * entries;
+  lightTurns = lightTurns + march.cells / 2 + (1 + TURNS_OF_SEARCH) * entries;
 #endif
   return march;
 }

@@ -5,6 +5,7 @@
 #include "CpuReference.h"
 #include "Lights.h"
 #include "LitScene.h"
+#include "ScenePage.h"
 #include "StructuredScene.h"
 
 #include "vtkActor.h"
@@ -181,6 +182,7 @@ TEST_F(OpaqueShadowPicture, KeepAToleranceInAnImage)
   scene.Mapper->OpaqueShadowsOn();
   scene.Mapper->SetLightTolerance(tolerance);
   const Image drawn = scene.render();
+  keepScenePage(scene.Window);
   const Difference difference = compare(drawn, scene.drawnWith(LightAt::Points), {}, tolerance);
   std::cout << "[ MEASURED ] " << difference.text() << '\n';
   EXPECT_LE(1000 * difference.Over, difference.Pixels);
