@@ -134,9 +134,9 @@ std::string Pipeline::describeBadView(const DrawOptions& options) const
 {
   if (options.Boundary != BoundaryView::None && this->Stages.volume().isStructured())
   {
-    return "The view mode shows boundary faces, but an image or a rectilinear grid has none: rays "
-           "enter it by the six sides of its box. Choose another one, such as "
-           "SetViewModeToCells() or SetViewModeToPicture().";
+    return "The view mode shows boundary faces, but images, rectilinear grids and the leaves of "
+           "adaptive meshes have none: rays enter them by the six sides of their box. Choose "
+           "another one, such as SetViewModeToCells() or SetViewModeToPicture().";
   }
   if (options.View && options.View->What == Measure::ErrorBound && options.Level.Sampled &&
       this->Stages.blending().isComposite())
