@@ -3,6 +3,9 @@
 // Shadows of opaque geometry are made when something has changed, and freed when nothing casts any.
 #include "ShadowedEffects.h"
 
+#include "vtkCompositePolyDataMapper.h"
+#include "vtkMultiBlockDataSet.h"
+
 namespace
 {
 using namespace tetmarch;
@@ -80,6 +83,30 @@ TEST_F(OpaqueShadowStage, LightAndVolumeRedoThemAndTheCameraDoesNot)
   this->touchMesh();
   expectRun(1);
   EXPECT_EQ(this->Stage.data().Opaque.numberOfHierarchies(), 1);
+}
+
+// A ray searches one surface after the other, so there should be few.
+TEST_F(OpaqueShadowStage, BlocksOfOneMapperAreOneSurface)
+{
+  this->addLight(0.3, 0.2, 1.0);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, plate({ { 0.2, 0.3, 1.3 } }, { { 0.4, 0.3, 1.3 } }, { { 0.2, 0.9, 1.3 } }));
+  blocks->SetBlock(1, plate({ { 0.4, 0.3, 1.3 } }, { { 0.7, 0.3, 1.3 } }, { { 0.4, 0.9, 1.3 } }));
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->AddActor(actor);
+  this->expectShadow(
+    0,
+    [](const Vector3& p) {
+      return depthUnderPlate(p, { { 0.3, 0.2, 1.0 } }, 1.3);
+    },
+    Rounding);
+  EXPECT_EQ(this->Stage.data().Opaque.size(), 1u);
+  this->Renderer->AddActor(plateAt(1.3));
+  this->shadows();
+  EXPECT_EQ(this->Stage.data().Opaque.size(), 2u);
 }
 
 TEST_F(OpaqueShadowStage, WhatIsOffMakesNothing)

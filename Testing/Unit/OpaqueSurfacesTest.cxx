@@ -200,7 +200,7 @@ TEST(TrianglesOf, PolygonsAndStripsAndNothingElse)
   data->SetStrips(strips);
   data->SetLines(lines);
   data->SetVerts(vertices);
-  const TriangleHierarchy triangles = trianglesOf(data);
+  const TriangleHierarchy triangles = trianglesOf({ data });
   EXPECT_TRUE(isOver(triangles, 0.3, 0.3));
   EXPECT_FALSE(isOver(triangles, 0.7, 0.7));
   for (const double x : { 1.1, 1.9, 2.3, 2.8, 4.1, 4.9, 5.5, 5.9 })
@@ -220,7 +220,7 @@ TEST(TrianglesOf, PointsThatAreNotFiniteTakeNothingElseAlong)
 {
   const auto data = unitPlate();
   data->GetPoints()->SetPoint(2, std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0);
-  const TriangleHierarchy triangles = trianglesOf(data);
+  const TriangleHierarchy triangles = trianglesOf({ data });
   EXPECT_TRUE(isOver(triangles, 0.7, 0.3));
   EXPECT_FALSE(isOver(triangles, 0.3, 0.7));
 }

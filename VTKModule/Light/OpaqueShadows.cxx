@@ -47,6 +47,11 @@ Vector3 transformed(const Matrix& m, const Vector3& v, double w)
   return result;
 }
 
+bool areOne(const OpaqueSurface& a, const OpaqueSurface& b)
+{
+  return a.Mapper == b.Mapper && a.ToWorld == b.ToWorld;
+}
+
 // A matrix without inverse leaves no volume, which casts no shadows.
 bool isInvertible(const Matrix& matrix)
 {
@@ -61,15 +66,22 @@ void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume
 {
   const Matrix toWorld = normalizedToWorld(volume, frame);
   std::vector<Caster> casters;
-  for (const OpaqueSurface& surface : surfaces)
+  for (auto surface = surfaces.begin(); surface != surfaces.end();)
   {
-    if (isInvertible(surface.ToWorld))
+    // The blocks of one mapper have one hierarchy: a ray searches one after the other.
+    const OpaqueSurface& first = *surface;
+    Caster caster;
+    std::vector<vtkPolyData*> pieces;
+    for (; surface != surfaces.end() && areOne(*surface, first); ++surface)
     {
-      Caster caster;
-      add(caster.Data, surface.Data);
-      caster.Triangles = this->hierarchyOf(surface.Data, caster.Data, casters);
+      pieces.push_back(surface->Data);
+      add(caster.Data, surface->Data);
+    }
+    if (isInvertible(first.ToWorld))
+    {
+      caster.Triangles = this->hierarchyOf(pieces, caster.Data, casters);
       Matrix fromWorld{};
-      vtkMatrix4x4::Invert(surface.ToWorld.data(), fromWorld.data());
+      vtkMatrix4x4::Invert(first.ToWorld.data(), fromWorld.data());
       caster.FromMesh = times(fromWorld, toWorld);
       if (!caster.Triangles->empty())
       {
@@ -84,7 +96,8 @@ void OpaqueShadows::update(const std::vector<OpaqueSurface>& surfaces, vtkVolume
 
 // Several actors may show the same data.
 std::shared_ptr<const TriangleHierarchy> OpaqueShadows::hierarchyOf(
-  vtkPolyData* data, const Fingerprint& which, const std::vector<Caster>& made)
+  const std::vector<vtkPolyData*>& pieces, const Fingerprint& which,
+  const std::vector<Caster>& made)
 {
   for (const std::vector<Caster>* casters : { &made, &std::as_const(this->Casters) })
   {
@@ -97,7 +110,7 @@ std::shared_ptr<const TriangleHierarchy> OpaqueShadows::hierarchyOf(
     }
   }
   ++this->Hierarchies;
-  return std::make_shared<const TriangleHierarchy>(trianglesOf(data));
+  return std::make_shared<const TriangleHierarchy>(trianglesOf(pieces));
 }
 
 std::vector<std::array<float, 4>> OpaqueShadows::texels() const

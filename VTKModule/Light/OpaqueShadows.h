@@ -54,8 +54,8 @@ private:
     std::array<double, 16> FromMesh{}; // normalised frame -> coordinates of the data
   };
 
-  std::shared_ptr<const TriangleHierarchy> hierarchyOf(
-    vtkPolyData* data, const Fingerprint& which, const std::vector<Caster>& made);
+  std::shared_ptr<const TriangleHierarchy> hierarchyOf(const std::vector<vtkPolyData*>& pieces,
+    const Fingerprint& which, const std::vector<Caster>& made);
   std::uint8_t ofPoint(const Vector3& point) const;
 
   std::vector<Caster> Casters;

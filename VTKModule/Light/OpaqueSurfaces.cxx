@@ -20,6 +20,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tetmarch
@@ -168,14 +169,13 @@ void forEachCell(vtkCellArray* cells, const Add& add)
   }
 }
 
-std::vector<Vector3> pointsOf(vtkPolyData* data)
+void addPoints(vtkPolyData* data, std::vector<Vector3>& points)
 {
-  std::vector<Vector3> points(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    data->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    points.emplace_back();
+    data->GetPoint(i, points.back().data());
   }
-  return points;
 }
 
 bool isFinite(const Vector3& p)
@@ -202,34 +202,42 @@ std::vector<OpaqueSurface> opaqueSurfaces(vtkRenderer* renderer, BlockAttributes
   return std::move(collector.Surfaces);
 }
 
-TriangleHierarchy trianglesOf(vtkPolyData* data)
+TriangleHierarchy trianglesOf(const std::vector<vtkPolyData*>& pieces)
 {
-  std::vector<Vector3> points = pointsOf(data);
+  std::vector<Vector3> points;
   Triangles triangles;
-  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
+  for (vtkPolyData* piece : pieces)
   {
-    if (isFinite(points[a]) && isFinite(points[b]) && isFinite(points[c]))
+    const std::size_t first = points.size();
+    addPoints(piece, points);
+    const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
     {
-      triangles.push_back({ { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-        static_cast<std::uint32_t>(c) } });
-    }
-  };
-  forEachCell(data->GetPolys(),
-    [&](const vtkIdType* p, vtkIdType size)
-    {
-      for (vtkIdType i = 2; i < size; ++i)
+      const auto corner = [first](vtkIdType point)
+      { return static_cast<std::uint32_t>(first + static_cast<std::size_t>(point)); };
+      const std::array<std::uint32_t, 3> triangle{ { corner(a), corner(b), corner(c) } };
+      if (std::all_of(triangle.begin(), triangle.end(),
+            [&points](std::uint32_t i) { return isFinite(points[i]); }))
       {
-        add(p[0], p[i - 1], p[i]);
+        triangles.push_back(triangle);
       }
-    });
-  forEachCell(data->GetStrips(),
-    [&](const vtkIdType* p, vtkIdType size)
-    {
-      for (vtkIdType i = 2; i < size; ++i)
+    };
+    forEachCell(piece->GetPolys(),
+      [&](const vtkIdType* p, vtkIdType size)
       {
-        add(p[i - 2], p[i - 1], p[i]);
-      }
-    });
+        for (vtkIdType i = 2; i < size; ++i)
+        {
+          add(p[0], p[i - 1], p[i]);
+        }
+      });
+    forEachCell(piece->GetStrips(),
+      [&](const vtkIdType* p, vtkIdType size)
+      {
+        for (vtkIdType i = 2; i < size; ++i)
+        {
+          add(p[i - 2], p[i - 1], p[i]);
+        }
+      });
+  }
   return { std::move(points), std::move(triangles) };
 }
 

@@ -39,8 +39,8 @@ using BlockAttributes = vtkCompositeDataDisplayAttributes* (*)(vtkMapper*);
  */
 std::vector<OpaqueSurface> opaqueSurfaces(vtkRenderer* renderer, BlockAttributes attributes);
 
-/** The triangles of polygons and triangle strips, as VTK draws them. */
-TriangleHierarchy trianglesOf(vtkPolyData* data);
+/** The triangles of polygons and triangle strips, as VTK draws them, of all pieces. */
+TriangleHierarchy trianglesOf(const std::vector<vtkPolyData*>& pieces);
 
 } // namespace tetmarch
 
