@@ -267,7 +267,7 @@ inline void addErrorsOfOne(ErrorCases<ImageScene>& cases)
     { vtkTetMarchSettings::VIEW_BOUNDARY_FACES, vtkTetMarchSettings::VIEW_BOUNDARY_COORDINATES })
   {
     cases.add("view mode", [mode](ImageScene& s) { s.Mapper->SetViewMode(mode); },
-      { "boundary faces", "has none", "SetViewModeToCells()" });
+      { "boundary faces", "have none", "SetViewModeToCells()" });
   }
 }
 } // namespace tetmarch::testing
