@@ -71,11 +71,13 @@ TEST_F(OpaqueShadowStage, LightAndVolumeRedoThemAndTheCameraDoesNot)
   this->Options.Shadows = ShadowMethod::AlongRays;
   expectRun(1);
   EXPECT_TRUE(this->Stage.data().ShadowedVertices.empty());
-  EXPECT_FALSE(this->Stage.data().SurfaceTexels.empty());
+  const Fingerprint version = this->Stage.data().Opaque.version();
   sun->SetPosition(0.1, 0.2, 1.0);
   expectRun(1);
+  EXPECT_EQ(this->Stage.data().Opaque.version(), version);
   this->Volume->RotateX(30.0);
   expectRun(1);
+  EXPECT_NE(this->Stage.data().Opaque.version(), version);
   this->Volume->AddPosition(0.0, 0.0, 0.1); // the direction to the light stays the same
   expectRun(1);
   this->Options.Reach = 0.8;

@@ -88,7 +88,7 @@ PictureContent contentOf(const Fingerprint& shown, const MarchInputs& inputs, vt
     content.Version.push_back(static_cast<std::uintptr_t>(lights.TurnsOfSample));
     content.Version.push_back(static_cast<std::uintptr_t>(lights.OcclusionDirections));
     add(content.Version, lights.OcclusionRadius);
-    add(content.Version, inputs.Stages->effects().surfacesVersion());
+    add(content.Version, inputs.Stages->effects().data().Opaque.version());
   }
   if (inputs.Key.OpaqueDepth)
   {

@@ -62,10 +62,10 @@ std::string EffectTextures::update(
   }
   if (error.empty())
   {
-    error = this->Surfaces.update(window, key.samplesSurfaces(), stage.surfacesVersion(),
+    error = this->Surfaces.update(window, key.samplesSurfaces(), data.Opaque.version(),
       [&](TextureBuffer& buffer)
       {
-        const auto& texels = data.SurfaceTexels;
+        const auto texels = data.Opaque.texels();
         return buffer.upload(window, TexelFormat::RGBA32F, texels.data(), texels.size());
       });
   }

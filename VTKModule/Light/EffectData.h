@@ -30,8 +30,6 @@ struct EffectData
   /** For each vertex, bit k is 1 if opaque geometry blocks the light of shadow source k. Empty
    * without such geometry, or if rays of the picture certainly sample it. */
   std::vector<std::uint8_t> ShadowedVertices;
-  /** See OpaqueShadows::texels(). Empty if rays of the picture certainly don't sample them. */
-  std::vector<std::array<float, 4>> SurfaceTexels;
 
   bool empty() const { return this->GradientOpacity.empty() && this->Lights.Sources.empty(); }
 };

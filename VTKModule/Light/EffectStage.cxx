@@ -233,19 +233,16 @@ void EffectStage::updateOpaqueShadows(
     surfaces = opaqueSurfaces(renderer, input.Blocks);
   }
   const bool atVertices = !this->certainlySamplesShadows();
-  const bool alongRays = this->samplesShadows(0);
   Fingerprint which;
   if (!surfaces.empty())
   {
     which = inputOf(surfaces, volume, lights, input.Source->geometryVersion());
-    which.push_back((atVertices ? 1 : 0) + (alongRays ? 2 : 0));
+    which.push_back(atVertices ? 1 : 0);
   }
   std::vector<std::uint8_t> shadowedBefore;
-  std::vector<std::array<float, 4>> texelsBefore;
   const auto free = [&]
   {
     shadowedBefore.swap(this->Data.ShadowedVertices);
-    texelsBefore.swap(this->Data.SurfaceTexels);
     if (which.empty())
     {
       this->Data.Opaque = {};
@@ -261,12 +258,7 @@ void EffectStage::updateOpaqueShadows(
         this->Data.Opaque.ofPoints(starts.size(), [&](std::size_t vertex, Vector3& point)
           { return input.Source->startPoint(vertex, starts[vertex], point); });
     }
-    if (alongRays)
-    {
-      this->Data.SurfaceTexels = this->Data.Opaque.texels();
-    }
     this->DistinctOpaqueShadows += this->Data.ShadowedVertices == shadowedBefore ? 0 : 1;
-    this->DistinctSurfaces += this->Data.SurfaceTexels == texelsBefore ? 0 : 1;
   };
   this->OpaqueShadows.update(which, free, make);
 }

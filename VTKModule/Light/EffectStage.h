@@ -61,8 +61,6 @@ public:
   const Fingerprint& startsVersion() const { return this->Starts.input(); }
   /** Changes only if the shadow of some vertex has changed. */
   Fingerprint opaqueShadowsVersion() const;
-  /** Changes only if a surface has changed, or has moved beside the volume. */
-  Fingerprint surfacesVersion() const { return { this->DistinctSurfaces }; }
 
 private:
   Lighting lighting(vtkRenderer* renderer, vtkVolumeProperty* property) const;
@@ -81,7 +79,6 @@ private:
   CachedStage Starts;
   CachedStage OpaqueShadows;
   std::uintptr_t DistinctOpaqueShadows = 0;
-  std::uintptr_t DistinctSurfaces = 0;
 };
 
 } // namespace tetmarch

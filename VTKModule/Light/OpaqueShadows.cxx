@@ -138,6 +138,17 @@ std::vector<std::array<float, 4>> OpaqueShadows::texels() const
   return texels;
 }
 
+Fingerprint OpaqueShadows::version() const
+{
+  Fingerprint version;
+  for (const Caster& caster : this->Casters)
+  {
+    add(version, caster.Data);
+    addAll(version, caster.FromMesh);
+  }
+  return version;
+}
+
 bool OpaqueShadows::isShadowed(const Vector3& point, std::size_t source, double margin) const
 {
   if (this->Casters.empty())

@@ -40,6 +40,8 @@ public:
 
   /** The surfaces in single precision, as Shaders/light/opaque_surface_buffers.glsl has them. */
   std::vector<std::array<float, 4>> texels() const;
+  /** Changes if texels() do. */
+  Fingerprint version() const;
   /** The number of surfaces. */
   std::size_t size() const { return this->Casters.size(); }
 
