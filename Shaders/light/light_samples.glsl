@@ -3,6 +3,7 @@
 #include "light/sphere_direction.glsl"
 #include "light/incoming_light.glsl"
 #if TETMARCH_SAMPLED_SURFACES
+#include "march/line_box.glsl"
 #include "light/opaque_surfaces.glsl"
 #endif
 

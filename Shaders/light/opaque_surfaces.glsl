@@ -34,7 +34,6 @@ SurfaceRay rayToSurface(int surface, vec3 point, vec3 direction, real distance)
   return ray;
 }
 
-// By the separating axes of a line and a box.
 bool meetsBox(SurfaceRay ray, int texel)
 {
   vec4 middle = fetchOpaqueSurface(texel);
@@ -44,9 +43,7 @@ bool meetsBox(SurfaceRay ray, int texel)
   vec3 h = vec3(extent.x + slack, extent.y + slack, extent.z + slack);
   vec3 d = ray.direction;
   vec3 size = abs(d);
-  return abs(d.y * m.z - d.z * m.y) <= h.y * size.z + h.z * size.y &&
-    abs(d.z * m.x - d.x * m.z) <= h.z * size.x + h.x * size.z &&
-    abs(d.x * m.y - d.y * m.x) <= h.x * size.y + h.y * size.x && dot(m, d) + dot(h, size) >= real(0) &&
+  return lineMeetsBox(m, h, d, size) && dot(m, d) + dot(h, size) >= real(0) &&
     dot(m, d) - dot(h, size) <= ray.end;
 }
 

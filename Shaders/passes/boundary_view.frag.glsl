@@ -12,6 +12,9 @@
 #include "march/stored_scalar.glsl"
 #include "tet/face_intersection.glsl"
 #include "march/entry.glsl"
+#if TETMARCH_BVH
+#include "march/line_box.glsl"
+#endif
 #include "tet/boundary.glsl"
 #if TETMARCH_ENTRY_LISTS
 #include "tet/entry_lists.glsl"

@@ -39,8 +39,7 @@ bool isBefore(real depth, int face, Entry other)
 
 #if TETMARCH_BVH
 // The first entry after the given one, among the faces through which a ray can reenter, or among all. The hierarchy is
-// traversed near child first, so that early hits cull the nodes behind. Boxes are tested by the separating axes of a
-// line and a box, without a division.
+// traversed near child first, so that early hits cull the nodes behind.
 Entry nextEntry(Ray ray, Entry after, bool amongAll)
 {
   Entry best;
@@ -82,10 +81,7 @@ Entry nextEntry(Ray ray, Entry after, bool amongAll)
       vec3 h = vec3(extent.x, extent.y, extent.z);
       real nearest = dot(m, d) - dot(h, size);
       real farthest = dot(m, d) + dot(h, size);
-      bool hit = abs(d.y * m.z - d.z * m.y) <= h.y * size.z + h.z * size.y &&
-        abs(d.z * m.x - d.x * m.z) <= h.z * size.x + h.x * size.z &&
-        abs(d.x * m.y - d.y * m.x) <= h.x * size.y + h.y * size.x && farthest >= after.depth &&
-        nearest <= best.depth;
+      bool hit = lineMeetsBox(m, h, d, size) && farthest >= after.depth && nearest <= best.depth;
       bool leaf = extent.w >= real(0);
       int second = int(middle.w);
       face = hit && leaf ? int(extent.w) : face;

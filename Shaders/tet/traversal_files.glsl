@@ -13,6 +13,9 @@
 #include "march/hidden_cells.glsl"
 #endif
 #include "march/entry.glsl"
+#if TETMARCH_BVH
+#include "march/line_box.glsl"
+#endif
 #include "tet/boundary.glsl"
 #if TETMARCH_ENTRY_LISTS
 #include "tet/entry_lists.glsl"
