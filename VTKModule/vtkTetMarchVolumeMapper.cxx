@@ -24,6 +24,13 @@
 
 namespace
 {
+// Errors are bounded where pixels are counted.
+tetmarch::CurvedOptions curvedOptionsOf(vtkTetMarchVolumeMapper* mapper)
+{
+  return { mapper->GetGeometryTolerance(),
+    mapper->GetCollectDiagnostics() || tetmarch::isMeasure(mapper->GetViewMode()) };
+}
+
 // Whether cells are joined into a grid, or made for one.
 bool isJoined(vtkDataObject* input, double curvedTolerance)
 {
@@ -245,8 +252,7 @@ vtkDataSet* vtkTetMarchVolumeMapper::FindGrid(
   }
   else if (isJoined(input, this->GetGeometryTolerance()))
   {
-    error =
-      blocks.update(input, tetmarch::selectionOf(this), this->GetGeometryTolerance(), progress);
+    error = blocks.update(input, tetmarch::selectionOf(this), curvedOptionsOf(this), progress);
     grid = blocks.grid();
   }
   else

@@ -50,7 +50,8 @@ tetmarch::DrawnData vtkTetMarchVolumeMapper::Internals::drawnOf(
              this->Leaves.places() },
     scalars, tetmarch::vectorOptionsOf(mapper), tetmarch::blendOptionsOf(mapper),
     tetmarch::clippingOptionsOf(mapper), {},
-    this->isShared() ? this->Distributed.Whole : WholeRanges() };
+    this->isShared() ? this->Distributed.Whole : WholeRanges(),
+    this->hasBlocks() && grid ? this->Blocks.departure() : tetmarch::CurvedDeparture{} };
 }
 
 //------------------------------------------------------------------------------

@@ -4,5 +4,8 @@
 int gatherSegment(Segment segment, real thicknessPerDepth, INOUT(CellInterval) cell, INOUT(Radiance) radiance)
 {
   placeShades(segment, cell);
+#if TETMARCH_CURVED_ERROR
+  addCurvedError(segment, thicknessPerDepth, cell, radiance);
+#endif
   return integrateSegment(segment, (segment.end.x - segment.begin.x) * thicknessPerDepth, cell, radiance);
 }

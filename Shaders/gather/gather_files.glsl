@@ -34,5 +34,8 @@
 #else
 #include "gather/segment_constant.glsl"
 #endif
+#if TETMARCH_CURVED_ERROR
+#include "gather/curved_error.glsl"
+#endif
 #include "gather/composite.glsl"
 #endif

@@ -13,6 +13,10 @@ struct Radiance
 #if TETMARCH_LIGHT_ERROR
   real lightError; // the same for the light
 #endif
+#if TETMARCH_CURVED_ERROR
+  real curvedError; // the same for the shape of curved cells, up to the last face
+  ShiftedFace face; // that one
+#endif
 #if TETMARCH_LIT_PARTS
   real shadeError; // estimated, by the change of light within parts of cells
 #endif
@@ -45,6 +49,10 @@ Radiance noRadiance()
 #endif
 #if TETMARCH_LIGHT_ERROR
   radiance.lightError = real(0);
+#endif
+#if TETMARCH_CURVED_ERROR
+  radiance.curvedError = real(0);
+  radiance.face = noFace();
 #endif
 #if TETMARCH_LIT_PARTS
   radiance.shadeError = real(0);
@@ -119,6 +127,9 @@ real errorBound(Radiance radiance)
 #endif
 #if TETMARCH_LIGHT_ERROR
   bound = bound + radiance.lightError;
+#endif
+#if TETMARCH_CURVED_ERROR
+  bound = bound + radiance.curvedError + shiftedFaceError(radiance.face, NO_MEDIUM, radiance.transmittance);
 #endif
   return bound;
 #endif

@@ -12,7 +12,7 @@ vec3 litEmission(vec4 mean, Illumination lit, Radiance radiance, Absorption by)
   return reflection(mean, light);
 }
 
-#if TETMARCH_ERROR_BOUND || TETMARCH_LIGHT_ERROR || TETMARCH_LIGHT_TOLERANCE
+#if TETMARCH_ERROR_BOUND || TETMARCH_CURVED_ERROR || TETMARCH_LIGHT_ERROR || TETMARCH_LIGHT_TOLERANCE
 real greatest(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 #endif
 
@@ -40,7 +40,7 @@ void keepPending(INOUT(Radiance) radiance, vec4 mean, Illumination lit, Absorpti
 }
 #endif
 
-#if TETMARCH_ERROR_BOUND || TETMARCH_TABLE_ERROR
+#if TETMARCH_ERROR_BOUND || TETMARCH_TABLE_ERROR || TETMARCH_CURVED_ERROR
 // The maximum brightness of a colour of 1.
 real brightness(Illumination lit)
 {

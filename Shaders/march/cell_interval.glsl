@@ -10,6 +10,10 @@ struct CellInterval
   real end;
   real scalar; // of the cell, or where the ray leaves it
   bool seen;   // the cell contributes to the pixel
+#if TETMARCH_CURVED_ERROR
+  real enterShift; // by which the faces where the ray enters and leaves may be elsewhere
+  real leaveShift;
+#endif
 #if TETMARCH_BENT
   vec2 bend;   // of the scalar from enter to leave; see structured/bend.glsl
 #endif

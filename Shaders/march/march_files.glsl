@@ -3,6 +3,9 @@
 #if TETMARCH_LIT || TETMARCH_LIT_COMPONENTS
 #include "light/light.glsl"
 #endif
+#if TETMARCH_CURVED_ERROR
+#include "gather/shifted_face.glsl"
+#endif
 #if TETMARCH_ACCUMULATES_OPACITY
 #include "gather/radiance.glsl"
 #endif
@@ -40,6 +43,9 @@
 #if TETMARCH_STRUCTURED
 #include "structured/cross_cell.glsl"
 #else
+#if TETMARCH_CURVED_ERROR
+#include "tet/curved_shift.glsl"
+#endif
 #include "tet/cross_cell.glsl"
 #endif
 #if TETMARCH_PAUSES_WITHIN

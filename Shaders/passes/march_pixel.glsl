@@ -4,6 +4,9 @@
 #include "march/volume_buffers.glsl"
 #include "tables/table_buffers.glsl"
 #include "march/thickness_buffers.glsl"
+#if TETMARCH_CURVED_ERROR
+#include "gather/curved_error_buffers.glsl"
+#endif
 #if !TETMARCH_COMPOSITE
 #include "gather/blend_buffers.glsl"
 #endif

@@ -39,7 +39,13 @@ Crossing crossCell(Ray ray, INOUT(RayPosition) place, INOUT(CellInterval) cell)
 #else
   vec2 enter = cell.leave;
 #endif
+#if TETMARCH_CURVED_ERROR
+  cell.enterShift = shiftOf(ray, place.face);
+#endif
   int exitFace = stepThrough(ray, ahead, place);
+#if TETMARCH_CURVED_ERROR
+  cell.leaveShift = shiftOf(ray, place.face);
+#endif
   keepLastDrawn(cell);
 #if TETMARCH_CORNER_SCALARS && TETMARCH_ISOSURFACES
   // A jump crosses no value.

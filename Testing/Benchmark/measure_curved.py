@@ -6,7 +6,8 @@ A quarter of a ring in N x N x N VTK_QUADRATIC_HEXAHEDRON (6), which bend in two
 their points, within tolerances of the mapper, also with points of each cell's own, and cut by vtkTessellatorFilter:
 within the same tolerances (its points merged), and evenly, as often as ParaView's Nonlinear Subdivision Level says (0
 to 4). It writes FOLDER/curved.md and curved.png: tetrahedra, bytes on the GPU, seconds of the first frame, with
-cutting, and of another, and the difference from the picture for a tolerance of a fourth of the smallest one.
+cutting, and of another, the difference from the picture for a tolerance of a fourth of the smallest one, and the mean
+error bound where the mapper cuts cells.
 """
 import time
 
@@ -17,7 +18,7 @@ from measure_pixels import picture_of
 from measured_page import grid_options, row
 from time_frames import ENOUGH_FOR_ONE_DRAW, Frames, functions_of_waves, median_seconds
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtktetmarch import vtkTetMarchVolumeMapper
+from vtktetmarch import vtkTetMarchFrameStatistics, vtkTetMarchVolumeMapper
 
 TOLERANCES = (1.6e-2, 4e-3, 1e-3)  # of the diagonal, and of the range of the scalars
 TRUE = TOLERANCES[-1] / 4
@@ -115,8 +116,16 @@ def ways_of(grid, size):
     return ways
 
 
+def mean_bound(frames):
+    """Of the pixels that rays reach. Cells are cut again, since their departure is measured."""
+    mapper = frames.volume.GetMapper()
+    mapper.CollectDiagnosticsOn()
+    frames.seconds(0)
+    return mapper.GetLastFrameStatistics().GetMean(vtkTetMarchFrameStatistics.ERROR_BOUND)
+
+
 def measure(cells, size, rounds):
-    """Of each way: tetrahedra, bytes, seconds of the first frame and of another, RMS and greatest error."""
+    """Of each way: tetrahedra, bytes, seconds of the first frame and of another, RMS and greatest error, mean bound."""
     grid = ring(cells)
     reference = picture_of(CurvedFrames(grid, size, TRUE).window)
     ways = ways_of(grid, size)
@@ -125,16 +134,18 @@ def measure(cells, size, rounds):
     for name, each in ways.items():
         each.seconds(0)
         apart = np.abs(picture_of(each.window) - reference)
-        found[name] = (each.tetrahedra, each.bytes, each.first, medians[name], np.sqrt((apart**2).mean()), apart.max())
+        bound = mean_bound(each) if name[0] in (OURS, OWN) else None
+        found[name] = (each.tetrahedra, each.bytes, each.first, medians[name], np.sqrt((apart**2).mean()), apart.max(),
+                       bound)
     return found
 
 
 def table_of(found):
-    text = row(["cut by", "tetrahedra", "GPU, MB", "first frame, s", "frame, s", "RMS", "greatest"])
-    text += "|---|" + "---:|" * 6 + "\n"
-    for (family, which), (tetrahedra, size, first, frame, rms, greatest) in found.items():
+    text = row(["cut by", "tetrahedra", "GPU, MB", "first frame, s", "frame, s", "RMS", "greatest", "mean bound"])
+    text += "|---|" + "---:|" * 7 + "\n"
+    for (family, which), (tetrahedra, size, first, frame, rms, greatest, bound) in found.items():
         text += row([f"{family} {which}".strip(), f"{tetrahedra:,}", f"{size / 1e6:.1f}", f"{first:.2f}",
-                     f"{frame:.3f}", f"{rms:.1e}", f"{greatest:.3f}"])
+                     f"{frame:.3f}", f"{rms:.1e}", f"{greatest:.3f}", f"{bound:.2f}" if bound is not None else ""])
     return text
 
 

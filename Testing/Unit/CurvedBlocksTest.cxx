@@ -33,7 +33,7 @@ class CurvedBlocks : public Joined
 protected:
   void cut(vtkDataObject* input, const ScalarSelection& selection = ActiveScalars)
   {
-    EXPECT_EQ(this->Blocks.update(input, selection, Tolerance), "");
+    EXPECT_EQ(this->Blocks.update(input, selection, { Tolerance }), "");
     ASSERT_NE(this->grid(), nullptr);
   }
 };
@@ -82,12 +82,12 @@ TEST_F(CurvedBlocks, AreCutAnewForOtherScalarsAndTolerances)
   EXPECT_EQ(this->Blocks.scalars()->GetRange()[0], 3);
   flat->SetNumberOfTuples(3);
   flat->Modified();
-  EXPECT_NE(this->Blocks.update(grid, ActiveScalars, Tolerance), "");
+  EXPECT_NE(this->Blocks.update(grid, ActiveScalars, { Tolerance }), "");
   EXPECT_EQ(this->grid(), nullptr);
   flat->SetNumberOfTuples(grid->GetNumberOfPoints());
   flat->FillComponent(0, 3);
   flat->Modified();
-  EXPECT_EQ(this->Blocks.update(grid, ActiveScalars, 1), "");
+  EXPECT_EQ(this->Blocks.update(grid, ActiveScalars, { 1 }), "");
   EXPECT_EQ(this->grid()->GetNumberOfCells(), 6 * 8);
   EXPECT_EQ(this->Blocks.update(grid, ActiveScalars), "");
   EXPECT_EQ(this->grid(), grid);
@@ -151,10 +151,34 @@ TEST_F(CurvedBlocks, AreCutLaterIfTheyWereStopped)
 {
   const Grid grid = lattice();
   const auto stop = [](double) { return false; };
-  EXPECT_EQ(this->Blocks.update(grid, ActiveScalars, Tolerance, stop), "");
+  EXPECT_EQ(this->Blocks.update(grid, ActiveScalars, { Tolerance }, stop), "");
   EXPECT_EQ(this->grid(), nullptr);
   this->cut(grid);
   expectFillsTheCube(this->grid());
+}
+
+// They are cut again for it, but not when it is no longer asked for.
+TEST_F(CurvedBlocks, AreMeasuredIfThatIsAskedFor)
+{
+  const Grid grid = lattice();
+  this->cut(grid);
+  EXPECT_FALSE(isAny(this->Blocks.departure()));
+  const CurvedOptions measured{ Tolerance, true };
+  const auto runsOf = [&](const CurvedOptions& options)
+  {
+    EXPECT_EQ(this->Blocks.update(grid, ActiveScalars, options), "");
+    EXPECT_GT(this->Blocks.grid()->GetNumberOfCells(), 48);
+    return this->Blocks.record().Runs;
+  };
+  EXPECT_EQ(runsOf(measured), 2);
+  const CurvedDeparture departure = this->Blocks.departure();
+  EXPECT_GT(departure.Distance, 0);
+  EXPECT_GT(departure.Value, 0);
+  EXPECT_EQ(runsOf({ Tolerance }), 2);
+  EXPECT_EQ(runsOf(measured), 2);
+  EXPECT_EQ(this->Blocks.departure().Value, departure.Value);
+  this->Blocks.update(grid, ActiveScalars);
+  EXPECT_FALSE(isAny(this->Blocks.departure()));
 }
 
 // A curved edge may leave the box of its points.

@@ -60,6 +60,10 @@ inline bool isSensible(const VariantKey& k)
              k.ShowIllumination || k.ShowGradients)) &&
          // Computed tetrahedra are in no buffer. Their corners have the scalars of the points.
          !(k.Curvilinear && (k.SplitCells || k.CornerScalars)) &&
+         // Where errors are counted, and cells of one scalar were cut; one that is transparent may
+         // be a visible one.
+         !(k.CurvedError && (!k.Diagnostics || !composite || k.Structured || k.Curvilinear ||
+                              several || k.VisiblePart || k.TransparentRanges)) &&
          // Corners have one scalar, of points, and vertices no gradient there.
          !(k.CornerScalars &&
            (!k.PointScalars || k.Structured || several ||

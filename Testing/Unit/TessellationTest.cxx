@@ -14,6 +14,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -45,18 +46,19 @@ struct CurvedCase
 
 void PrintTo(const CurvedCase& curved, std::ostream* os) { *os << curved.Name; }
 
-vtkSmartPointer<vtkUnstructuredGrid> cut(
-  vtkUnstructuredGrid* grid, double distance, double value, bool withScalars = true)
+vtkSmartPointer<vtkUnstructuredGrid> cut(vtkUnstructuredGrid* grid, double distance, double value,
+  bool withScalars = true, CurvedDeparture* departure = nullptr)
 {
   auto output = vtkSmartPointer<vtkUnstructuredGrid>::New();
   CurvedTolerance tolerance{ distance, nullptr, {} };
   if (withScalars)
   {
     tolerance.Scalars = grid->GetPointData()->GetScalars();
-    tolerance.Values = { value };
+    tolerance.Values.assign(
+      static_cast<std::size_t>(tolerance.Scalars->GetNumberOfComponents()), value);
   }
   EXPECT_EQ(tessellate(
-              grid, tolerance, [](double) { return true; }, output),
+              grid, tolerance, [](double) { return true; }, output, departure),
     "");
   return output;
 }
@@ -150,11 +152,12 @@ double greatestError(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* tets,
   return greatest;
 }
 
-// The same for the parabola in the middles of all edges.
-double greatestErrorOfMiddles(vtkUnstructuredGrid* tets)
+double parabolaAt(const Vector3& p) { return parabola(p[0], p[1], p[2]); }
+
+// How far a function is from straight lines in the middles of all edges.
+double greatestErrorOfMiddles(vtkUnstructuredGrid* tets, double (*valueOf)(const Vector3&))
 {
   double greatest = 0;
-  const auto valueOf = [](const Vector3& p) { return parabola(p[0], p[1], p[2]); };
   for (vtkIdType cell = 0; cell < tets->GetNumberOfCells(); ++cell)
   {
     const std::array<vtkIdType, 4> tet = tetrahedron(tets, cell);
@@ -216,7 +219,7 @@ TEST_P(CellsOfParabolas, KeepTheToleranceOfScalars)
     const auto tets = cut(grid, 1, tolerance);
     const double error = greatestError(grid, tets, originsOf(tets), 1000);
     EXPECT_LT(error, 1.5 * tolerance);
-    EXPECT_LT(greatestErrorOfMiddles(tets), tolerance * (1 + 1e-9));
+    EXPECT_LT(greatestErrorOfMiddles(tets, parabolaAt), tolerance * (1 + 1e-9));
     EXPECT_GT(error, tolerance / 10); // it isn't finer than was asked for
   }
 }
@@ -235,6 +238,51 @@ TEST_P(CurvedCells, KeepBothTolerances)
     EXPECT_LT(error, last / 2);
     last = error;
   }
+}
+
+// At points at random, the scalars of tetrahedra are as far from those of cells as was measured.
+TEST_P(CurvedCells, AreMeasured)
+{
+  for (const double curvature : { 0.0, Curvature })
+  {
+    const Grid grid = GetParam().Make(curvature);
+    for (const double tolerance : { 0.03, 0.003 })
+    {
+      CurvedDeparture departure;
+      const auto tets = cut(grid, tolerance, tolerance, true, &departure);
+      const double error = greatestError(grid, tets, originsOf(tets), 1000);
+      EXPECT_LT(error, departure.Value) << curvature << ", " << tolerance;
+      EXPECT_LT(departure.Value, 6 * error);
+      EXPECT_EQ(departure.Distance > 1e-6, curvature > 0);
+      EXPECT_LT(departure.Distance, 2 * tolerance);
+    }
+  }
+}
+
+double distanceFromMiddle(const Vector3& p)
+{
+  const Vector3 away = p - Vector3{ { 0.5, 0.5, 0.5 } };
+  return std::sqrt(dot(away, away));
+}
+
+// Of a vector that is linear: its magnitude is not, which may be what is drawn.
+TEST(Tessellation, MeasuresMagnitudes)
+{
+  const Grid grid = quadraticTetLattice(2);
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p = pointOf(grid, i);
+    vectors->InsertNextTuple3(p[0] - 0.5, p[1] - 0.5, p[2] - 0.5);
+  }
+  grid->GetPointData()->SetScalars(vectors);
+  CurvedDeparture departure;
+  const auto tets = cut(grid, 1, 1, true, &departure);
+  EXPECT_EQ(tets->GetNumberOfCells(), 48);
+  const double ofMiddles = greatestErrorOfMiddles(tets, distanceFromMiddle);
+  EXPECT_GT(ofMiddles, 0.1);
+  EXPECT_NEAR(departure.Value, 1.5 * ofMiddles, 1e-6);
 }
 
 // A shape that bends is cut without scalars, too; one that doesn't is one piece for each corner.

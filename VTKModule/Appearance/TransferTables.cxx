@@ -43,7 +43,7 @@ Fingerprint versionOf(vtkVolumeProperty* property, const TableInput& input)
   version.push_back(static_cast<std::uintptr_t>(law));
   version.push_back(input.Blend->isSum() ? 1 : 0);
   version.push_back(static_cast<std::uintptr_t>(input.Mix));
-  version.push_back(input.Bends ? 1 : 0);
+  version.push_back(input.HasVariations ? 1 : 0);
   addRange(version, input.Range);
   for (const ScalarRange& range : input.ExtraRanges)
   {
@@ -71,14 +71,14 @@ IntegralTable makeTables(vtkVolumeProperty* property, const TableInput& input,
   if (!components.isSingle())
   {
     IntegralTable first = componentTables(property, input.Law, input.Range, level, components);
-    if (input.Bends)
+    if (input.HasVariations)
     {
       addSlopeVariations(first); // for rays towards the light, which use only this table
     }
     return first;
   }
   IntegralTable table = blendedTable(property, input.Law, *input.Blend, input.Range, level);
-  if (input.Bends)
+  if (input.HasVariations)
   {
     addExtinctionVariations(table);
     addSlopeVariations(table);

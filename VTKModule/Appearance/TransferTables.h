@@ -23,7 +23,7 @@ struct TableInput
   ComponentMix Mix = ComponentMix::Single;
   ScalarRange Range;                    // of the first scalar
   std::vector<ScalarRange> ExtraRanges; // of extra scalars
-  bool Bends = false; // along rays, so that error bounds need extra values of a table
+  bool HasVariations = false;           // error bounds need those of extinctions and of slopes, too
   std::uint64_t MostEntries = std::numeric_limits<std::uint64_t>::max(); // of all tables together
 };
 

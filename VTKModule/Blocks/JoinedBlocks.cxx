@@ -215,14 +215,14 @@ std::string JoinedBlocks::joinScalars(const std::vector<Block>& drawn)
   return {};
 }
 
-std::string JoinedBlocks::cutCurvedCells(double tolerance, const Progress& progress)
+std::string JoinedBlocks::cutCurvedCells(const CurvedOptions& options, const Progress& progress)
 {
-  if (tolerance == 0 || !this->Grid)
+  if (options.Tolerance == 0 || !this->Grid)
   {
     return {};
   }
   std::string error =
-    straighten(this->Grid, this->Scalars, this->CellScalars, tolerance, progress, this->Cut);
+    straighten(this->Grid, this->Scalars, this->CellScalars, options, progress, this->Cut);
   if (this->isCut())
   {
     this->CutOrigins = this->Origins;
@@ -232,7 +232,7 @@ std::string JoinedBlocks::cutCurvedCells(double tolerance, const Progress& progr
 }
 
 std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& selection,
-  double curvedTolerance, const Progress& progress)
+  const CurvedOptions& curved, const Progress& progress)
 {
   const std::string shortage = withinMemory("joining the blocks",
     [&]
@@ -241,7 +241,7 @@ std::string JoinedBlocks::update(vtkDataObject* input, const ScalarSelection& se
       const auto blocks = this->Made.replaceIn(input, error);
       if (blocks)
       {
-        this->joinChanged(blocks, selection, curvedTolerance, progress);
+        this->joinChanged(blocks, selection, curved, progress);
       }
       else
       {
@@ -284,7 +284,7 @@ void JoinedBlocks::findBounds(vtkDataObject* input, double bounds[6])
 }
 
 void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& selection,
-  double curvedTolerance, const Progress& progress)
+  const CurvedOptions& curved, const Progress& progress)
 {
   std::vector<Block> blocks = listBlocks(input, selection);
   for (Block& block : blocks)
@@ -295,8 +295,9 @@ void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& sele
   const std::string wanted = describe(selection);
   shape.insert(shape.end(), wanted.begin(), wanted.end());
   Fingerprint scalars = scalarsOf(blocks);
-  add(scalars, curvedTolerance);
-  if (shape == this->Shape && scalars == this->ScalarsInput)
+  add(scalars, curved.Tolerance);
+  const bool isMeasured = !this->isCut() || this->Cut.HasDeparture || !curved.MeasuresDeparture;
+  if (shape == this->Shape && scalars == this->ScalarsInput && isMeasured)
   {
     return;
   }
@@ -320,7 +321,7 @@ void JoinedBlocks::joinChanged(vtkDataObject* input, const ScalarSelection& sele
   }
   if (this->Error.empty())
   {
-    this->Error = this->cutCurvedCells(curvedTolerance, progress);
+    this->Error = this->cutCurvedCells(curved, progress);
   }
   if (this->Cut.Stopped)
   {

@@ -29,7 +29,7 @@ public:
    * (Curved/StraightGrid.h); the progress is that of cutting, after a stop the grid is null.
    * Returns an empty string, or an error with its remedy; the grid is then null. */
   std::string update(vtkDataObject* input, const ScalarSelection& selection,
-    double curvedTolerance = 0, const Progress& progress = {});
+    const CurvedOptions& curved = {}, const Progress& progress = {});
   void clear();
   /** The box of the points of these blocks, and of their cut cells of the last update();
    * not initialised if there are none. */
@@ -40,6 +40,8 @@ public:
   vtkUnstructuredGrid* grid() const { return this->isCut() ? this->Cut.Grid : this->Grid; }
   vtkDataArray* scalars() const { return this->isCut() ? this->Cut.Scalars : this->Scalars; }
   bool hasCellScalars() const { return this->CellScalars; }
+  /** How far the grid is from curved cells that were cut for it, if that was measured. */
+  CurvedDeparture departure() const { return this->Cut.Departure; }
   /** The original blocks of the grid's cells. */
   const CellOrigins& origins() const { return this->isCut() ? this->CutOrigins : this->Origins; }
   /** Empty, or a list of the blocks that lack the array and are left out. */
@@ -50,12 +52,12 @@ public:
 private:
   void restart(); // but for the leaves of trees
   bool isCut() const { return this->Cut.Grid != nullptr; }
-  void joinChanged(vtkDataObject* input, const ScalarSelection& selection, double curvedTolerance,
-    const Progress& progress);
+  void joinChanged(vtkDataObject* input, const ScalarSelection& selection,
+    const CurvedOptions& curved, const Progress& progress);
   std::string choose(const std::vector<Block>& blocks, const ScalarSelection& selection);
   std::string join(const std::vector<Block>& drawn);
   std::string joinScalars(const std::vector<Block>& drawn);
-  std::string cutCurvedCells(double tolerance, const Progress& progress);
+  std::string cutCurvedCells(const CurvedOptions& options, const Progress& progress);
   void joinGrid();
   void joinAttributes();
   std::vector<Block> drawnOf(const std::vector<Block>& blocks);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tetmarch
 {
@@ -14,10 +15,27 @@ namespace
 {
 
 constexpr double TestedAt[] = { 0.25, 0.5, 0.75 };
-// An edge of 1/64 of a cell's is no longer tested: functions that are no polynomials end here.
+// An edge below 1/64 of a cell's keeps any tolerance: functions that are no polynomials end here.
 constexpr float ShortestTested = 1.0F / 64;
 // Of shape functions, in parts of the greatest value; scalars that are all alike differ by it.
 constexpr double RoundingOfValues = 1e-13;
+
+bool isLong(const PieceCorner& a, const PieceCorner& b)
+{
+  const auto isFar = [&](int k) { return std::abs(a.At[k] - b.At[k]) >= ShortestTested; };
+  return isFar(0) || isFar(1) || isFar(2);
+}
+
+// Tolerances may be 0.
+double partOf(double tolerance, double difference)
+{
+  return difference > 0 ? difference / tolerance : 0;
+}
+
+double magnitudeOf(const std::vector<double>& values)
+{
+  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
+}
 
 } // namespace
 
@@ -37,37 +55,46 @@ CurvedTolerance toleranceOf(
 }
 
 bool leavesTolerance(const CurvedTolerance& tolerance, const PieceCorner& a, const PieceCorner& b,
-  const OutputPoints& points, CurvedCell& cell, CurvedPlace& place)
+  const OutputPoints& points, CurvedCell& cell, CurvedPlace& place, EdgeDeparture& departure)
 {
-  const auto isShort = [&](int k) { return std::abs(a.At[k] - b.At[k]) < ShortestTested; };
-  if (isShort(0) && isShort(1) && isShort(2))
-  {
-    return false;
-  }
+  const bool isTested = isLong(a, b);
   const Vector3 begin = points.position(a.Point.Id);
   const Vector3 along = points.position(b.Point.Id) - begin;
   const double length2 = dot(along, along);
+  double farthest = -1;
+  EdgeDeparture found;
   for (const double t : TestedAt)
   {
     Vector3 at = scaled(1 - t, a.place());
     tetmarch::add(t, b.place(), at);
     cell.evaluate(at, place);
     // Its value is compared with that of the nearest point of the straight edge.
-    Vector3 apart = place.Position - begin;
-    const double share = length2 > 0 ? dot(apart, along) / length2 : t;
-    tetmarch::add(-share, along, apart);
-    if (std::sqrt(dot(apart, apart)) > tolerance.Distance)
+    found.Apart = place.Position - begin;
+    const double share = length2 > 0 ? dot(found.Apart, along) / length2 : t;
+    tetmarch::add(-t, along, found.Apart);
+    Vector3 across = found.Apart;
+    tetmarch::add(t - share, along, across);
+    double off = partOf(tolerance.Distance, std::sqrt(dot(across, across)));
+    found.Values.clear();
+    for (std::size_t c = 0; c < tolerance.Values.size(); ++c)
+    {
+      const double first = points.value(a.Point.Id, c);
+      const double rise = points.value(b.Point.Id, c) - first;
+      const double difference = place.Values[c] - first - t * rise;
+      found.Values.push_back(difference);
+      off = std::max(off, partOf(tolerance.Values[c], std::abs(difference + (t - share) * rise)));
+    }
+    if (off > 1 && isTested)
     {
       return true;
     }
-    for (std::size_t c = 0; c < tolerance.Values.size(); ++c)
+    found.Magnitude = magnitudeOf(place.Values) - (1 - t) * points.magnitude(a.Point.Id) -
+                      t * points.magnitude(b.Point.Id);
+    off = std::max(off, partOf(magnitudeOf(tolerance.Values), std::abs(found.Magnitude)));
+    if (off > farthest)
     {
-      const double straight =
-        (1 - share) * points.value(a.Point.Id, c) + share * points.value(b.Point.Id, c);
-      if (std::abs(place.Values[c] - straight) > tolerance.Values[c])
-      {
-        return true;
-      }
+      farthest = off;
+      departure = found;
     }
   }
   return false;

@@ -19,12 +19,17 @@ public:
   static constexpr vtkIdType Whole = -1;
   static constexpr vtkIdType Unknown = -2;
 
-  /** The point in the middle, which is yet to be set if Unknown. */
-  vtkIdType& middle(vtkIdType a, vtkIdType b)
+  struct Edge
+  {
+    vtkIdType Middle = Unknown;  // the point, to be set if Unknown
+    std::uint32_t Departure = 0; // of a Whole one, as numbered by EdgeDepartures
+  };
+
+  Edge& edge(vtkIdType a, vtkIdType b)
   {
     const auto low = static_cast<std::uint64_t>(a < b ? a : b);
     const auto high = static_cast<std::uint64_t>(a < b ? b : a);
-    return this->Middles.try_emplace(low << 32 | high, Unknown).first->second;
+    return this->Edges[low << 32 | high];
   }
 
 private:
@@ -37,7 +42,7 @@ private:
       return key ^ key >> 31;
     }
   };
-  std::unordered_map<std::uint64_t, vtkIdType, Hash> Middles;
+  std::unordered_map<std::uint64_t, Edge, Hash> Edges;
 };
 
 } // namespace tetmarch

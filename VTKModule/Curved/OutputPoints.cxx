@@ -97,6 +97,16 @@ PiecePoint OutputPoints::insert(const CurvedPlace& place, vtkIdList* mixed)
   return this->point(id);
 }
 
+double OutputPoints::magnitude(vtkIdType point) const
+{
+  double squares = 0;
+  for (std::size_t c = 0; c < this->Components; ++c)
+  {
+    squares += this->value(point, c) * this->value(point, c);
+  }
+  return std::sqrt(squares);
+}
+
 Vector3 OutputPoints::position(vtkIdType point) const
 {
   Vector3 position;

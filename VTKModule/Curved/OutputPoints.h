@@ -48,6 +48,8 @@ public:
   {
     return this->Values[static_cast<std::size_t>(point) * this->Components + component];
   }
+  /** Of all components as a vector. */
+  double magnitude(vtkIdType point) const;
 
 private:
   std::uint32_t firstAt(Vector3 position);

@@ -76,9 +76,9 @@ std::vector<vtkIdType> cellsOf(vtkUnstructuredGrid* cut)
 } // namespace
 
 std::string straighten(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool ofCells,
-  double tolerance, const Progress& progress, StraightGrid& straight)
+  const CurvedOptions& options, const Progress& progress, StraightGrid& straight)
 {
-  const double kept = std::max(tolerance, LeastTolerance);
+  const double kept = std::max(options.Tolerance, LeastTolerance);
   straight = {};
   if (!hasCurvedCells(grid))
   {
@@ -95,13 +95,14 @@ std::string straighten(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool of
         return !straight.Stopped;
       };
       auto cut = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      error =
-        tessellate(drawn, toleranceOf(grid, ofCells ? nullptr : scalars, kept, kept), report, cut);
+      CurvedDeparture departure;
+      error = tessellate(drawn, toleranceOf(grid, ofCells ? nullptr : scalars, kept, kept), report,
+        cut, options.MeasuresDeparture ? &departure : nullptr);
       if (error.empty() && !straight.Stopped)
       {
         vtkDataSetAttributes* of =
           cut->GetAttributes(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT);
-        straight = { cut, of->GetScalars(), cellsOf(cut) };
+        straight = { cut, of->GetScalars(), cellsOf(cut), departure, options.MeasuresDeparture };
       }
     });
   return error.empty() ? shortage : error;

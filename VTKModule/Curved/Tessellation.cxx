@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 
 namespace tetmarch
 {
@@ -44,13 +45,14 @@ struct CutCell
 class Tessellator
 {
 public:
-  Tessellator(
-    vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance, vtkUnstructuredGrid* output)
+  Tessellator(vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance,
+    vtkUnstructuredGrid* output, bool measuresDepartures)
     : Grid(grid)
     , Tolerance(tolerance)
     , Output(output)
     , Cell(grid, tolerance.Scalars)
     , Points(grid, tolerance.Scalars, output)
+    , MeasuresDepartures(measuresDepartures)
   {
   }
 
@@ -102,6 +104,26 @@ public:
     }
   }
 
+  /** The greatest one of each kind. */
+  CurvedDeparture departure()
+  {
+    CurvedDeparture greatest;
+    for (CutCell& cell : this->Cells)
+    {
+      for (const Piece& piece : cell.Pieces)
+      {
+        std::array<std::uint32_t, 6> edges;
+        std::transform(std::begin(PieceEdges), std::end(PieceEdges), edges.begin(),
+          [&](const int* ends)
+          { return this->edge(cell, piece[ends[0]], piece[ends[1]]).Departure; });
+        const CurvedDeparture departure = departureOf(piece, edges, this->Departures, this->Points);
+        greatest.Distance = std::max(greatest.Distance, departure.Distance);
+        greatest.Value = std::max(greatest.Value, departure.Value);
+      }
+    }
+    return greatest;
+  }
+
   void pass(vtkIdType cell, int type)
   {
     vtkNew<vtkIdList> ids;
@@ -148,17 +170,28 @@ public:
   }
 
 private:
+  EdgeTable::Edge& edge(CutCell& cell, const PieceCorner& a, const PieceCorner& b)
+  {
+    const bool isOuter = (a.Faces & b.Faces) != 0;
+    return (isOuter ? this->OuterEdges : cell.InnerEdges).edge(a.Point.Id, b.Point.Id);
+  }
+
   vtkIdType& middle(CutCell& cell, const PieceCorner& a, const PieceCorner& b)
   {
     const bool isOuter = (a.Faces & b.Faces) != 0;
-    EdgeTable& edges = isOuter ? this->OuterEdges : cell.InnerEdges;
-    vtkIdType& middle = edges.middle(a.Point.Id, b.Point.Id);
+    EdgeTable::Edge& edge = this->edge(cell, a, b);
+    vtkIdType& middle = edge.Middle;
     if (middle == EdgeTable::Unknown)
     {
       middle = EdgeTable::Whole;
-      if (leavesTolerance(this->Tolerance, a, b, this->Points, this->Cell, this->Place))
+      if (leavesTolerance(
+            this->Tolerance, a, b, this->Points, this->Cell, this->Place, this->Departure))
       {
         this->setMiddle(cell, a, b, middle);
+      }
+      else if (this->MeasuresDepartures)
+      {
+        edge.Departure = this->Departures.add(this->Departure);
       }
     }
     if (middle == EdgeTable::Whole && isOuter && this->Points.isShared())
@@ -179,7 +212,7 @@ private:
     middle = this->Points.insert(this->Place, this->Cell.points()).Id;
     if (isOuter && this->Points.isShared())
     {
-      this->HalvedEdges.middle(a.Point.Place, b.Point.Place) = middle;
+      this->HalvedEdges.edge(a.Point.Place, b.Point.Place).Middle = middle;
     }
     if (isOuter)
     {
@@ -190,7 +223,7 @@ private:
   // If a cell with other points has halved the same edge.
   bool followOthers(const PieceCorner& a, const PieceCorner& b, vtkIdType& middle)
   {
-    const vtkIdType halved = this->HalvedEdges.middle(a.Point.Place, b.Point.Place);
+    const vtkIdType halved = this->HalvedEdges.edge(a.Point.Place, b.Point.Place).Middle;
     if (halved < 0)
     {
       return false;
@@ -295,6 +328,9 @@ private:
   CornerCells CellsOfCorners;
   std::deque<std::uint32_t> Waiting; // indices of cells
   vtkNew<vtkIdTypeArray> Origins;    // of the cells of the output
+  bool MeasuresDepartures;
+  EdgeDepartures Departures;
+  EdgeDeparture Departure; // of the last edge
   CurvedPlace Place;
   std::vector<Piece> Stack;
   std::vector<std::uint32_t> Common; // places
@@ -317,11 +353,12 @@ std::string errorOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
 } // namespace
 
 std::string tessellate(vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance,
-  const std::function<bool(double)>& progress, vtkUnstructuredGrid* output)
+  const std::function<bool(double)>& progress, vtkUnstructuredGrid* output,
+  CurvedDeparture* departure)
 {
   output->Initialize();
   output->AllocateExact(grid->GetNumberOfCells(), 4 * grid->GetNumberOfCells());
-  Tessellator tessellator(grid, tolerance, output);
+  Tessellator tessellator(grid, tolerance, output, departure != nullptr);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const int type = grid->GetCellType(cell);
@@ -344,6 +381,10 @@ std::string tessellate(vtkUnstructuredGrid* grid, const CurvedTolerance& toleran
   {
     tessellator.write();
     tessellator.finish();
+    if (departure)
+    {
+      *departure = tessellator.departure();
+    }
   }
   return {};
 }

@@ -31,11 +31,14 @@ constexpr const char* OriginalCells = "vtkOriginalCellIds";
  * 1) returns whether to go on; where it does not, the output is unspecified. The grid must have
  * passed checkGrid(). Returns an empty string, or an error.
  *
+ * The departure is the greatest one of the tetrahedra.
+ *
  * M.-C. Rivara, Algorithms for refining triangular grids suitable for adaptive and multigrid
  * techniques, 1984.
  */
 std::string tessellate(vtkUnstructuredGrid* grid, const CurvedTolerance& tolerance,
-  const std::function<bool(double)>& progress, vtkUnstructuredGrid* output);
+  const std::function<bool(double)>& progress, vtkUnstructuredGrid* output,
+  CurvedDeparture* departure = nullptr);
 
 } // namespace tetmarch
 

@@ -5,6 +5,7 @@
 #define TetMarchFrameFrameInput_h
 
 #include "Appearance/Blending.h"
+#include "Curved/CurvedDeparture.h"
 #include "Light/EffectOptions.h"
 #include "Light/OpaqueSurfaces.h"
 #include "Optics/AccuracyLevel.h"
@@ -35,6 +36,7 @@ struct DrawnData
   ClippingOptions Cuts{};
   RaySamples Samples{};             // at levels that sample the volume
   std::vector<FiniteRange> Whole{}; // as in DrawnScalars
+  CurvedDeparture Departure{};      // of a grid that is drawn in place of curved cells
 };
 
 struct FrameInput

@@ -51,6 +51,7 @@ StageResult FrameStages::updateScalars(const FrameInput& input, const DrawnScala
 {
   this->Mix = drawn.Mix;
   this->Law = input.Law;
+  this->Departure = input.Drawn.Departure;
   VolumeInput volume = input.Drawn.Volume;
   // Gradients at vertices are found by all processes or by none.
   volume.TakesCorners =
@@ -82,7 +83,13 @@ AccuracyLevel FrameStages::levelFor(AccuracyLevel level) const
 TableInput FrameStages::tableInput() const
 {
   return { this->Law, &this->Blend, this->Mix, this->Marched.range(), this->Marched.extraRanges(),
-    this->Marched.isStructured(), this->Limits.TexelsPerBuffer };
+    this->Marched.isStructured() || isAny(this->Departure), this->Limits.TexelsPerBuffer };
+}
+
+CurvedDeparture FrameStages::departure() const
+{
+  return { this->Departure.Distance / this->Marched.frame().Radius,
+    this->Departure.Value / this->Marched.range().width() };
 }
 
 StageResult FrameStages::updateTables(const FrameInput& input)

@@ -58,6 +58,9 @@ public:
   const View& camera() const { return this->Camera; }
   const Clipping& cuts() const { return this->Cut; }
   const RaySamples& samples() const { return this->Samples; }
+  /** How far the volume is from the curved cells that it is drawn for: in the normalised frame, and
+   * of stored scalars. */
+  CurvedDeparture departure() const;
   /** There are scalars that are not finite, and they are shown. */
   bool showsNan() const { return this->NanShown; }
   /** What tables are made of, beside the functions. */
@@ -94,6 +97,7 @@ private:
   OpacityLaw Law = OpacityLaw::Unstructured;
   TransferTables Tables;
   bool NanShown = false;
+  CurvedDeparture Departure; // as given
   Fingerprint VisibilityInput;
   Switch SkipsTransparentCells; // a separate loop passes cells without extinction
   Fingerprint Content;

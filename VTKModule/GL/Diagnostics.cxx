@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GL/Diagnostics.h"
 
+#include "Frame/FrameStages.h"
 #include "GL/StateScope.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ StageResult Diagnostics::collect(const DrawContext& context, MarchPass& march, M
   this->clear();
   const StageRecorder recorder(this->Record);
   inputs.Key.Diagnostics = true;
+  inputs.Key.CurvedError = isAny(inputs.Stages->departure());
+  inputs.Key = inputs.Key.filtered();
   StateScope state(window);
   StageResult result{ this->Target.bind(window, inputs.Area.Width, inputs.Area.Height, 3) };
   result = result.then([&] { return march.drawApart(context, this->Target, inputs, this->Tiles); });

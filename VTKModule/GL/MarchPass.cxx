@@ -54,6 +54,13 @@ void bindSamples(vtkShaderProgram* program, const FrameStages& stages)
   program->SetUniform2f("sampleShift", samples.shift().data());
 }
 
+void bindDeparture(vtkShaderProgram* program, const CurvedDeparture& departure)
+{
+  const float values[] = { static_cast<float>(departure.Distance),
+    static_cast<float>(departure.Value) };
+  program->SetUniform2f("curvedDeparture", values);
+}
+
 // Everything that the march reads.
 void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const Viewport& target)
 {
@@ -89,6 +96,10 @@ void bindInputs(vtkShaderProgram* program, const MarchInputs& inputs, const View
   if (key.PointSampled)
   {
     bindSamples(program, stages);
+  }
+  if (key.CurvedError)
+  {
+    bindDeparture(program, stages.departure());
   }
   bindPixelRays(program, inputs, target);
   if (inputs.Peeling)

@@ -124,6 +124,7 @@ private:
   std::string describeBadView(const DrawOptions& options) const;
   static std::string describeUnfit(const MarchInputs& inputs, int ofVisits);
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
+  bool boundsCurvedCells(const DrawOptions& options) const;
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
   Fingerprint lightVersion(const MarchInputs& inputs) const;
   Fingerprint pickVersion(const MarchInputs& inputs, const Viewport& part) const;

@@ -47,6 +47,11 @@ std::string Pipeline::findPredicate(vtkOpenGLRenderWindow* window)
   return error;
 }
 
+bool Pipeline::boundsCurvedCells(const DrawOptions& options) const
+{
+  return (options.Diagnostics || options.View) && isAny(this->Stages.departure());
+}
+
 VariantKey Pipeline::keyOf(
   const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const
 {
@@ -58,6 +63,8 @@ VariantKey Pipeline::keyOf(
   key.Peeled = options.Peeling != nullptr;
   key.Adaptive = options.Level.Adaptive;
   key.PointSampled = options.Level.Sampled;
+  // A curved cell may be seen where its tetrahedra are transparent.
+  key.VisiblePart = key.VisiblePart && !this->boundsCurvedCells(options);
   return options.Boundary == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
@@ -100,7 +107,8 @@ MarchInputs Pipeline::inputsOf(
   inputs.Area = area;
   const int ofVisits = options.Shared ? SamplersOfVisits : 0;
   const int units = textureUnits(inputs.ByCompute);
-  inputs.Key = fittedTo(units - ofVisits, this->keyOf(options, renderer, area));
+  const int ofBounds = this->boundsCurvedCells(options) ? 1 : 0; // variations of the functions
+  inputs.Key = fittedTo(units - ofVisits - ofBounds, this->keyOf(options, renderer, area));
   const bool fits = samplersOf(inputs.Key) + SamplersOfRayLists <= units &&
                     std::int64_t(area.Width) * area.Height < RayList::MostPixels;
   inputs.PixelTolerance = fits && !options.Shared ? options.PixelTolerance : 0;

@@ -15,12 +15,6 @@ namespace
 
 using Settings = vtkTetMarchSettings;
 
-bool isMeasure(int viewMode)
-{
-  return viewMode == Settings::VIEW_ERROR_BOUND || viewMode == Settings::VIEW_CELLS ||
-         viewMode == Settings::VIEW_LOOKUPS;
-}
-
 Measure measureOf(int viewMode)
 {
   return viewMode == Settings::VIEW_CELLS     ? Measure::Cells
@@ -54,6 +48,12 @@ EffectOptions effectOptionsOf(Settings* settings, BlendMode blend)
 }
 
 } // namespace
+
+bool isMeasure(int viewMode)
+{
+  return viewMode == Settings::VIEW_ERROR_BOUND || viewMode == Settings::VIEW_CELLS ||
+         viewMode == Settings::VIEW_LOOKUPS;
+}
 
 AccuracyOptions accuracyOptionsOf(Settings* settings)
 {

@@ -26,6 +26,9 @@ AccuracyOptions accuracyOptionsOf(vtkTetMarchSettings* settings);
  * interactors ask for 0.0001 a second, and ParaView asks for 0.002. */
 bool isInteractive(vtkRenderWindow* window);
 
+/** Whether a view mode shows a measure of each pixel. */
+bool isMeasure(int viewMode);
+
 /** What a mapper knows of a frame beside its settings. */
 struct FrameConditions
 {

@@ -85,6 +85,7 @@ struct VariantKey
   bool VisiblePart = false; // rays enter and leave only visible tetrahedra
   bool Reentered = false;   // rays leave the mesh and enter it again: their march is in short runs
   bool SplitCells = false;  // tetrahedra are in two texture buffers
+  bool CurvedError = false; // the error bound includes the shape of curved cells that were cut
   bool Curvilinear = false; // tetrahedra and links are computed from i, j, k
   /** Each corner of a tetrahedron has its own scalar: those of neighbours may differ. */
   bool CornerScalars = false;
@@ -155,7 +156,7 @@ struct VariantKey
      * value. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 50;
+  static constexpr int NumberOfFeatures = 51;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

@@ -1,0 +1,79 @@
+// The error of a picture of curved cells that were cut into tetrahedra. Their faces are at most curvedDeparture.x apart,
+// along the ray at most that divided by |cos|, and at one place their scalars differ by at most e = curvedDeparture.y
+// (Curved/CurvedDeparture.h).
+//
+// Let t, C, T be extinction, colour and transmittance along the ray in one medium, t', C' in the other, and R the
+// radiance from behind in that. The pixels differ by the integral of T (t' (C' - R) - t (C - R)). Since C and R are in
+// 0..1, a channel differs by at most the integral of T (|t' - t| + t |C' - C|). If the scalar rises by s along a
+// segment, the mean of |t' - t| on it is at most 2 e / s times the variation of t over the scalars of the segment and e
+// on both sides, and at most this variation; so is that of C.
+//
+// Light is not included, and neither are rays that pass the tetrahedra, but not the cells.
+
+#if TETMARCH_POINT_SCALARS
+// The variations of colour and extinction up to a position in the table.
+vec2 variationsUpTo(real x)
+{
+  int bin = tableBin(x);
+  vec2 begin = fetchTableVariations(bin);
+  return begin + (fetchTableVariations(bin + 1) - begin) * clamp(x - real(bin), real(0), real(1));
+}
+
+// Upper bound of the error of a channel by the scalars of a segment with these extinctions at its ends.
+real shiftedScalarError(Segment segment, vec2 extinctions, real thickness)
+{
+  real begin = segment.begin.y * tableScale + tableOffset;
+  real end = segment.end.y * tableScale + tableOffset;
+  real reach = abs(tableScale) * curvedDeparture.y;
+  vec2 variation = variationsUpTo(max(begin, end) + reach) - variationsUpTo(min(begin, end) - reach);
+  real share = min(real(2) * reach / max(abs(end - begin), TINY), real(1));
+  real greatest = max(extinctions.x, extinctions.y) + variation.y;
+#if TETMARCH_CONSTANT_COLOR
+  real ofColors = real(0);
+#else
+  real ofColors = greatest * min(variation.x, real(1));
+#endif
+  return min((variation.y + ofColors) * share * thickness, real(1));
+}
+#endif
+
+vec4 mediumOf(real scalar)
+{
+  vec4 medium = tableValue(scalar * tableScale + tableOffset);
+#if TETMARCH_CONSTANT_COLOR
+  medium = vec4(real(0), real(0), real(0), medium.w);
+#endif
+  return medium;
+}
+
+// Before a segment of the cell is integrated.
+void addCurvedError(Segment segment, real thicknessPerDepth, CellInterval cell, INOUT(Radiance) radiance)
+{
+  vec4 begin = mediumOf(segment.begin.y);
+  vec4 end = mediumOf(segment.end.y);
+  real error = real(0);
+  bool follows = segment.begin.x <= radiance.face.depth;
+  if (!follows)
+  {
+    error = shiftedFaceError(radiance.face, NO_MEDIUM, radiance.transmittance);
+    radiance.face = noFace();
+  }
+  bool isAtFace = segment.begin.x <= cell.enter.x; // not at a cut
+  if (isAtFace && !(follows && segment.begin.y == radiance.face.scalar))
+  {
+    radiance.face.shift = cell.enterShift * thicknessPerDepth;
+    error = error + shiftedFaceError(radiance.face, begin, radiance.transmittance);
+  }
+#if TETMARCH_POINT_SCALARS
+  real thickness = (segment.end.x - segment.begin.x) * thicknessPerDepth;
+  error = error + radiance.transmittance * shiftedScalarError(segment, vec2(begin.w, end.w), thickness);
+#endif
+#if TETMARCH_LIT
+  error = error * (real(1) + brightness(illuminationWithin(cell, real(0.5))));
+#endif
+  radiance.curvedError = radiance.curvedError + error;
+  radiance.face.depth = segment.end.x;
+  radiance.face.scalar = segment.end.y;
+  radiance.face.shift = segment.end.x >= cell.leave.x ? cell.leaveShift * thicknessPerDepth : real(0);
+  radiance.face.medium = end;
+}
