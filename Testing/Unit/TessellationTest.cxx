@@ -259,6 +259,15 @@ TEST_P(CurvedCells, AreMeasured)
   }
 }
 
+// However cells bend, their tetrahedra have the same linear function of the place.
+TEST(Tessellation, IsExactForLinearScalars)
+{
+  CurvedDeparture departure;
+  cut(quadraticHexLattice(2, Curvature), 0.01, 0.1, true, &departure);
+  EXPECT_GT(departure.Distance, 1e-3);
+  EXPECT_LT(departure.Value, 1e-6);
+}
+
 double distanceFromMiddle(const Vector3& p)
 {
   const Vector3 away = p - Vector3{ { 0.5, 0.5, 0.5 } };
