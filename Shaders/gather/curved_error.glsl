@@ -58,6 +58,12 @@ void addCurvedError(Segment segment, real thicknessPerDepth, CellInterval cell, 
     error = shiftedFaceError(radiance.face, NO_MEDIUM, radiance.transmittance);
     radiance.face = noFace();
   }
+#if TETMARCH_LIT
+  real bright = brightness(illuminationWithin(cell, real(0.5)));
+#else
+  real bright = real(0);
+#endif
+  radiance.face.bright = max(radiance.face.bright, bright);
   bool isAtFace = segment.begin.x <= cell.enter.x; // not at a cut
   if (isAtFace && !(follows && segment.begin.y == radiance.face.scalar))
   {
@@ -66,14 +72,13 @@ void addCurvedError(Segment segment, real thicknessPerDepth, CellInterval cell, 
   }
 #if TETMARCH_POINT_SCALARS
   real thickness = (segment.end.x - segment.begin.x) * thicknessPerDepth;
-  error = error + radiance.transmittance * shiftedScalarError(segment, vec2(begin.w, end.w), thickness);
-#endif
-#if TETMARCH_LIT
-  error = error * (real(1) + brightness(illuminationWithin(cell, real(0.5))));
+  error = error +
+    radiance.transmittance * shiftedScalarError(segment, vec2(begin.w, end.w), thickness) * (real(1) + bright);
 #endif
   radiance.curvedError = radiance.curvedError + error;
   radiance.face.depth = segment.end.x;
   radiance.face.scalar = segment.end.y;
   radiance.face.shift = segment.end.x >= cell.leave.x ? cell.leaveShift * thicknessPerDepth : real(0);
   radiance.face.medium = end;
+  radiance.face.bright = bright;
 }

@@ -4,6 +4,7 @@
 
 #include "Caching/WithinMemory.h"
 #include "Curved/CurvedShape.h"
+#include "Curved/OutputCells.h"
 #include "Curved/Tessellation.h"
 #include "Scalars/GhostArrays.h"
 

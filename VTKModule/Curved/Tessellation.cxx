@@ -6,16 +6,13 @@
 #include "Curved/CornerCells.h"
 #include "Curved/CurvedCell.h"
 #include "Curved/EdgeTable.h"
+#include "Curved/OutputCells.h"
 #include "Curved/OutputPoints.h"
 #include "Input/CellKind.h"
 #include "Input/GridVersions.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkCellType.h"
-#include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -49,9 +46,9 @@ public:
     vtkUnstructuredGrid* output, bool measuresDepartures)
     : Grid(grid)
     , Tolerance(tolerance)
-    , Output(output)
     , Cell(grid, tolerance.Scalars)
     , Points(grid, tolerance.Scalars, output)
+    , Output(grid, this->Points, output)
     , MeasuresDepartures(measuresDepartures)
   {
   }
@@ -99,10 +96,13 @@ public:
     {
       for (const Piece& piece : cell.Pieces)
       {
-        this->write(cell.Id, piece);
+        this->Output.insert(cell.Id, piece);
       }
     }
+    this->Output.finish();
   }
+
+  void pass(vtkIdType cell) { this->Output.pass(cell); }
 
   /** The greatest one of each kind. */
   CurvedDeparture departure()
@@ -122,51 +122,6 @@ public:
       }
     }
     return greatest;
-  }
-
-  void pass(vtkIdType cell, int type)
-  {
-    vtkNew<vtkIdList> ids;
-    if (type == VTK_POLYHEDRON)
-    {
-      this->Grid->GetFaceStream(cell, ids);
-      vtkIdType place = 1;
-      for (vtkIdType face = 0; face < ids->GetId(0); ++face)
-      {
-        const vtkIdType last = place + ids->GetId(place);
-        for (++place; place <= last; ++place)
-        {
-          ids->SetId(place, this->Points.copyOf(ids->GetId(place)).Id);
-        }
-      }
-    }
-    else
-    {
-      this->Grid->GetCells()->GetCellAtId(cell, ids);
-      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-      {
-        ids->SetId(i, this->Points.copyOf(ids->GetId(i)).Id);
-      }
-    }
-    this->Output->InsertNextCell(type, ids);
-    this->Origins->InsertNextValue(cell);
-  }
-
-  void finish()
-  {
-    vtkCellData* attributes = this->Output->GetCellData();
-    attributes->CopyHigherOrderDegreesOff();
-    attributes->CopyGlobalIdsOff();
-    attributes->CopyPedigreeIdsOff();
-    attributes->CopyAllocate(this->Grid->GetCellData(), this->Origins->GetNumberOfValues());
-    for (vtkIdType i = 0; i < this->Origins->GetNumberOfValues(); ++i)
-    {
-      attributes->CopyData(this->Grid->GetCellData(), this->Origins->GetValue(i), i);
-    }
-    this->Origins->SetName(OriginalCells);
-    attributes->AddArray(this->Origins);
-    this->Output->GetFieldData()->PassData(this->Grid->GetFieldData());
-    this->Output->Squeeze();
   }
 
 private:
@@ -300,34 +255,16 @@ private:
     return again;
   }
 
-  void write(vtkIdType cell, const Piece& piece)
-  {
-    std::array<vtkIdType, 4> ids;
-    std::array<Vector3, 4> points;
-    for (int i = 0; i < 4; ++i)
-    {
-      ids[i] = piece[i].Point.Id;
-      points[i] = this->Points.position(ids[i]);
-    }
-    if (dot(cross(points[1] - points[0], points[2] - points[0]), points[3] - points[0]) < 0)
-    {
-      std::swap(ids[1], ids[2]);
-    }
-    this->Output->InsertNextCell(VTK_TETRA, 4, ids.data());
-    this->Origins->InsertNextValue(cell);
-  }
-
   vtkUnstructuredGrid* Grid;
   const CurvedTolerance& Tolerance;
-  vtkUnstructuredGrid* Output;
   CurvedCell Cell; // that is cut
   OutputPoints Points;
+  OutputCells Output;
   EdgeTable OuterEdges;  // by points
   EdgeTable HalvedEdges; // by places
   std::vector<CutCell> Cells;
   CornerCells CellsOfCorners;
   std::deque<std::uint32_t> Waiting; // indices of cells
-  vtkNew<vtkIdTypeArray> Origins;    // of the cells of the output
   bool MeasuresDepartures;
   EdgeDepartures Departures;
   EdgeDeparture Departure; // of the last edge
@@ -374,13 +311,12 @@ std::string tessellate(vtkUnstructuredGrid* grid, const CurvedTolerance& toleran
     else if (cellKinds()[type].Cut != CellCut::LowDimensional &&
              cellKinds()[type].Cut != CellCut::Empty)
     {
-      tessellator.pass(cell, type);
+      tessellator.pass(cell);
     }
   }
   if (tessellator.refine(progress))
   {
     tessellator.write();
-    tessellator.finish();
     if (departure)
     {
       *departure = tessellator.departure();

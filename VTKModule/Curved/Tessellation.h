@@ -14,10 +14,6 @@ class vtkUnstructuredGrid;
 namespace tetmarch
 {
 
-/** The name of an array of a tessellation: for each cell the id of the given cell that it comes
- * from. */
-constexpr const char* OriginalCells = "vtkOriginalCellIds";
-
 /**
  * Each cell begins as tetrahedra between its corners, in its parametric coordinates. An edge that
  * leaves a tolerance, at a quarter, a half or three quarters of it, is to be halved; a tetrahedron

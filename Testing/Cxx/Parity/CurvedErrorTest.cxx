@@ -84,6 +84,7 @@ void drawCells(Scene& scene) { scene.drawCellScalars(); }
 void drawSpikes(Scene& scene) { setSpikyFunctions(scene.property()); }
 void drawTwoPeaks(Scene& scene) { setTwoPeaks(scene.property()); }
 void drawDense(Scene& scene) { scene.property()->SetScalarOpacityUnitDistance(0.02); }
+void drawInLight(Scene& scene) { setShading(scene.property()); }
 void lookFromWithin(Scene& scene) { lookFromInside(scene.camera()); }
 void drawEven(Scene& scene) { setPlainFunctions(scene.property(), { { 0.9, 0.6, 0.3 } }, 0.1); }
 // Thin, of one colour, with an extinction in proportion to the scalar.
@@ -115,6 +116,7 @@ const Case Cases[] = {
   { "Spikes", [] { return quadraticHexLattice(3, 0.1, waves); }, drawSpikes },
   { "MuchTransparent", [] { return quadraticHexLattice(3, 0.1, waves); }, drawTwoPeaks },
   { "Dense", [] { return quadraticHexLattice(3, 0.1, waves); }, drawDense },
+  { "InLight", [] { return quadraticHexLattice(3, 0.1, waves); }, drawInLight },
   { "Cells", [] { return quadraticHexLattice(3, 0.15, waves); }, drawCells },
   { "Bulging", [] { return bulgingCell(0.2, waves); } },
   { "Cropped", [] { return bulgingCell(0.2, waves); }, cut },
