@@ -6,15 +6,16 @@
 // radiance from behind in that. The pixels differ by the integral of T (t' (C' - R) - t (C - R)). Since C and R are in
 // 0..1, a channel differs by at most the integral of T (|t' - t| + t |C' - C|). If the scalar rises by s along a
 // segment, the mean of |t' - t| on it is at most 2 e / s times the variation of t over the scalars of the segment and e
-// on both sides, and at most this variation; so is that of C.
+// on both sides, and at most this variation; so is that of C. And it is at most e times the greatest slope of t there,
+// which is at most the mean one and the variation of slopes; as is that of the difference of C t, for
+// |t' (C' - R) - t (C - R)| <= |t' C' - t C| + |t' - t|.
 //
 // Light is not included, and neither are rays that pass the tetrahedra, but not the cells.
 
 #if TETMARCH_POINT_SCALARS
-// The variations of colour and extinction up to a position in the table.
-vec2 variationsUpTo(real x)
+// The variations of colour and extinction up to a position in the table, which is in this bin.
+vec2 variationsUpTo(real x, int bin)
 {
-  int bin = tableBin(x);
   vec2 begin = fetchTableVariations(bin);
   return begin + (fetchTableVariations(bin + 1) - begin) * clamp(x - real(bin), real(0), real(1));
 }
@@ -25,15 +26,27 @@ real shiftedScalarError(Segment segment, vec2 extinctions, real thickness)
   real begin = segment.begin.y * tableScale + tableOffset;
   real end = segment.end.y * tableScale + tableOffset;
   real reach = abs(tableScale) * curvedDeparture.y;
-  vec2 variation = variationsUpTo(max(begin, end) + reach) - variationsUpTo(min(begin, end) - reach);
+  real low = min(begin, end) - reach;
+  real high = max(begin, end) + reach;
+  int first = tableBin(low);
+  int last = tableBin(high);
+
+  vec2 variation = variationsUpTo(high, last) - variationsUpTo(low, first);
+  vec2 slopeVariation = fetchTableSlopeVariations(last + 1) - fetchTableSlopeVariations(first);
+  vec4 from = tableValue(low);
+  vec4 to = tableValue(high);
+  real perRise = real(1) / max(high - low, TINY);
+  real slope = abs(to.w - from.w) * perRise + slopeVariation.x;
   real share = min(real(2) * reach / max(abs(end - begin), TINY), real(1));
-  real greatest = max(extinctions.x, extinctions.y) + variation.y;
 #if TETMARCH_CONSTANT_COLOR
-  real ofColors = real(0);
+  real byVariation = variation.y * share;
 #else
-  real ofColors = greatest * min(variation.x, real(1));
+  vec3 rise = abs(vec3(to.x, to.y, to.z) * to.w - vec3(from.x, from.y, from.z) * from.w);
+  slope = slope + max(rise.x, max(rise.y, rise.z)) * perRise + slopeVariation.y;
+  real greatest = max(extinctions.x, extinctions.y) + variation.y;
+  real byVariation = (variation.y + greatest * min(variation.x, real(1))) * share;
 #endif
-  return min((variation.y + ofColors) * share * thickness, real(1));
+  return min(min(byVariation, slope * reach) * thickness, real(1));
 }
 #endif
 

@@ -75,7 +75,7 @@ vec2 fetchTablePlace(int table) { return tablePlace[table]; }
 #if TETMARCH_VARIATIONS
 #if TETMARCH_EXTINCTION_VARIATION
 vec2 fetchTableVariations(int i) { return BUFFER_TEXEL(tableVariationBuffer, i).xy; } // of colour and extinction
-#if TETMARCH_SLOPE_VARIATION
+#if TETMARCH_SLOPE_VARIATION || TETMARCH_CURVED_ERROR
 vec2 fetchTableSlopeVariations(int i) { return BUFFER_TEXEL(tableVariationBuffer, i).zw; } // of extinction and of C tau
 #endif
 #else

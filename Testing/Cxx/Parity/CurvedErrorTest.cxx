@@ -106,8 +106,8 @@ constexpr double Uncut = 1.0; // all that a cell may be off by
 
 const Case Cases[] = {
   // The worst that may be: of one sign in all of the cell; all faces off as far as they can.
-  { "Bubble", [] { return oneTetrahedron(0.0, 0.8); }, drawThin, Uncut, 6.0 },
-  { "BubbleOnASlope", [] { return oneTetrahedron(0.7, 0.05); }, drawThin, Uncut, 6.0 },
+  { "Bubble", [] { return oneTetrahedron(0.0, 0.8); }, drawThin, Uncut, 2.0 },
+  { "BubbleOnASlope", [] { return oneTetrahedron(0.7, 0.05); }, drawThin, Uncut, 3.0 },
   { "FacesAlone", [] { return bulgingCell(0.1, waves); }, drawEven, Uncut, 6.0 },
   { "StraightEdges", [] { return triQuadraticHexLattice(3, 0.0, waves); } },
   { "Tetrahedra", [] { return quadraticTetLattice(2, 0.1, waves); } },
