@@ -49,8 +49,8 @@ bool hasExtinction(const IntegralTable& table);
  * along a ray need. */
 void addExtinctionVariations(IntegralTable& table);
 
-/** Add SlopeVariations, which the error bounds of scalars that bend along a ray, and of curved cells
- * need. */
+/** Add SlopeVariations, which the error bounds of scalars that bend along a ray, and of curved
+ * cells need. */
 void addSlopeVariations(IntegralTable& table);
 
 /** The number of samples for a table with this number of entries. */
