@@ -42,9 +42,9 @@ SCENES = {
     "Accuracy": ("", 0), "Combinations": ("", 0),
 }
 # Features of the key that no page has when it is written: it lists entries by itself, is drawn at once, without fused
-# arithmetic, and shows the picture alone.
+# arithmetic, shows the picture alone, and bounds no curved cells.
 IN_NO_PAGE = {"ENTRY_LISTS", "OPAQUE_DEPTH", "HAS_FMA", "DIAGNOSTICS", "PEELED", "SHOW_ILLUMINATION",
-              "SHOW_GRADIENTS", "SPLIT_CELLS", "REENTERED"}
+              "SHOW_GRADIENTS", "SPLIT_CELLS", "REENTERED", "CURVED_ERROR"}
 
 
 def draw(program, tests, **variables):
