@@ -72,6 +72,24 @@ def with_points_of_each_cell(grid):
     return grid_of(points_of(grid)[numbers], np.arange(len(numbers))), numbers
 
 
+def with_quadratic_cells(grid, bend):
+    """Quadratic tetrahedra with the same corners, and the two points of the grid between which each new point is.
+
+    New points are that far (an array of 3) from the middles of these. They have the numbers behind those of the grid.
+    """
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    edges = np.sort(cells[:, [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]], axis=2)
+    ends, middles = np.unique(edges.reshape(-1, 2), axis=0, return_inverse=True)
+    places = points_of(grid)
+    quadratic = vtk.vtkUnstructuredGrid()
+    quadratic.SetPoints(vtk.vtkPoints())
+    moved = places[ends].mean(axis=1) + bend
+    quadratic.GetPoints().SetData(numpy_to_vtk(np.concatenate([places, moved]), deep=True))
+    for corners, between in zip(cells, len(places) + middles.reshape(-1, 6)):
+        quadratic.InsertNextCell(vtk.VTK_QUADRATIC_TETRA, 10, [*corners, *between])
+    return quadratic, ends
+
+
 def lattice(cubes, keep=None, seed=1):
     """The unit cube, or those of its cubes whose centres (an array of shape n, 3) `keep` says."""
     points = lattice_points(cubes, JITTER, seed)

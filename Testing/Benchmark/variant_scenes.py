@@ -15,12 +15,13 @@ FEATURES = frozenset("""
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT FEW_LIGHTS WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS LIGHT_TOLERANCE LIGHT_THROUGH_CUTS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION
     SHOW_ILLUMINATION SHOW_GRADIENTS STRUCTURED RECTILINEAR OCTREE LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
-    REENTERED CURVILINEAR CORNER_SCALARS
+    REENTERED CURVILINEAR CURVED_ERROR CORNER_SCALARS
     """.split())
 ARRAY = "field"
 CUBES = 4
 CELLS = 16  # of a lattice, along each axis: four blocks or more
 CELLS_OF_BLOCK = 3  # one block, also if half cells are added at both ends
+BEND = np.array([0.01, -0.02, 0.015])  # of curved edges
 VISIBLE_FROM = 0.8  # along x of a mesh of which a part is visible: its last layer of cubes
 MOST_LAYERS = 2048  # of a texture of Mesa: more make two textures a component
 SAMPLE_DISTANCE = 0.02
@@ -108,6 +109,13 @@ class VariantScene:
             grid, points = grids.with_points_of_each_cell(grid)
             data, values = grid.GetPointData(), values[points]
             values *= 1 + 0.01 * (np.arange(len(values))[:, np.newaxis] // 4 % 3)  # jumps between cells
+        if self.has("CURVED_ERROR"):
+            # Within this tolerance no edge is cut.
+            self.mapper.SetGeometryTolerance(1.0)
+            grid, ends = grids.with_quadratic_cells(grid, BEND)
+            if self.has("POINT_SCALARS"):
+                values = np.concatenate([values, values[ends].mean(axis=1) + 0.02])
+            data = grid.GetPointData() if self.has("POINT_SCALARS") else grid.GetCellData()
         grids.add_array(data, ARRAY, values)
         self.show_data(grid)
 
