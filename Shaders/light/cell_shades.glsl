@@ -43,7 +43,9 @@ FacePoint pointWithin(Ray ray, CellInterval cell, real depth)
 #else
   point.scalar = cell.scalar;
 #endif
-#if TETMARCH_STRUCTURED && TETMARCH_EFFECTS
+#if TETMARCH_EVEN_GRADIENT
+  point.attributes = attributesWith(cell.gradient, ray, depth);
+#elif TETMARCH_STRUCTURED && TETMARCH_EFFECTS
   point.attributes = attributesAt(ray, cell.crossed, depth);
 #elif TETMARCH_CELL_ATTRIBUTES
   real f = fractionAt(cell.enter, cell.leave, depth);
@@ -77,6 +79,9 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 #if TETMARCH_KEEPS_CROSSED
   cell.crossed = place.crossed;
 #endif
+#if TETMARCH_EVEN_GRADIENT
+  cell.gradient = gradientAt(ray, place.crossed, cell.leave.x);
+#endif
 #if TETMARCH_LIGHT_AT_POINTS
   if (shadesPoints(ray, cell))
   {
@@ -85,6 +90,11 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
 #endif
 #if TETMARCH_POINT_SAMPLED
   // Each sample has its own shade.
+#elif TETMARCH_EVEN_SHADE
+  FacePoint point = leavePoint(cell);
+  point.attributes = attributesWith(cell.gradient, ray, point.depth);
+  cell.leaveShade = shadeAtFace(ray, point);
+  cell.enterShade = cell.leaveShade;
 #elif TETMARCH_FINDS_SHADES
   // The shade at the ray's entry is that at its exit from the last cell, unless that was skipped.
   int missing = cell.enterShadeKnown ? 1 : 2;
@@ -95,7 +105,9 @@ void shadeCell(Ray ray, RayPosition place, INOUT(CellInterval) cell)
     {
       point = enterPoint(cell);
     }
-#if TETMARCH_STRUCTURED
+#if TETMARCH_EVEN_GRADIENT
+    point.attributes = attributesWith(cell.gradient, ray, point.depth);
+#elif TETMARCH_STRUCTURED
     point.attributes = attributesAt(ray, place.crossed, point.depth);
 #endif
     cell.enterShade = cell.leaveShade;

@@ -49,6 +49,9 @@ int gatherToSample(
       pending = position < real(1) && !isOpaque(radiance) && radiance.transmittance > pause.nextSample;
     }
   }
+#if TETMARCH_COUNTS_TURNS
+  countTurns(trials + 1);
+#endif
   pause.within = position < real(1) && radiance.transmittance <= pause.nextSample && !isOpaque(radiance);
   cell.begin = whole.x;
   cell.end = pause.within ? cell.end : whole.y;

@@ -1,9 +1,6 @@
 // Rays towards the light; include after march/traversal_files.glsl.
 #include "light/light_start_files.glsl"
 #include "light/light_range.glsl"
-#if TETMARCH_COUNTS_TURNS
-int lightTurns = 0; // of the loops of the rays towards the light
-#endif
 #if TETMARCH_STRUCTURED
 #include "structured/transmittance.glsl"
 #else

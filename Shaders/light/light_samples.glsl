@@ -10,9 +10,6 @@
 // The transmittance towards each light from a point in the cell of the start.
 vec4 sampleLight(Ray ray, LightStart start, real depth)
 {
-#if TETMARCH_COUNTS_TURNS
-  lightTurns = 0;
-#endif
   start.point = ray.origin + ray.direction * depth;
 #if TETMARCH_SAMPLED_SURFACES
   return incomingLight(start, lightsKeptOff(ray, start.point));

@@ -108,6 +108,9 @@ int gatherLitParts(Ray ray, real thicknessPerDepth, INOUT(CellInterval) cell, IN
       inMiddle = true;
     }
   }
+#if TETMARCH_COUNTS_TURNS
+  countTurns(trials + 1);
+#endif
   cell.begin = whole.begin;
 #if TETMARCH_PAUSES_WITHIN
   cell.end = pause.within ? whole.begin + extent * position : whole.end;

@@ -97,7 +97,7 @@ bool isInTheWay(int surface, vec3 point, vec3 direction, real distance)
   while (node > 0 || triangle < end)
   {
 #if TETMARCH_COUNTS_TURNS
-    lightTurns = lightTurns + 1;
+    countTurns(1);
 #endif
     if (triangle < end)
     {

@@ -9,16 +9,19 @@ CONSTANT real LEAST_SPACING = real(1e-6);        // a guard
 CONSTANT real NO_SAMPLE = real(2);               // more than there is
 CONSTANT int MOST_SAMPLES_OF_LIGHT = 4096;       // per ray; a guard
 
-// Mesa's llvmpipe ends a shader after 65,535 turns of all loops, for eight rays together. Rays towards the light have a
-// part of them, since the rays of the picture have loops, too: with half as many again, some rays through the scan of
-// ./tetmarch bench light end early.
 #if TETMARCH_COUNTS_TURNS
+// Fewer than there are (march/loop_turns.glsl), since eight rays need different numbers: with half as many again, some
+// rays through the scan of ./tetmarch bench light end early.
 CONSTANT int MOST_TURNS = 26000;
 
-// The greatest number of samples of a ray if none is dearer than the last one.
-int mostLightSamples() { return MOST_TURNS / max(lightTurns, expectedLightTurns); }
-#else
-int mostLightSamples() { return MOST_SAMPLES_OF_LIGHT; }
+// The greatest number of samples of a ray if none is dearer than the last one and the picture's march takes no more turns
+// than it did. turns: before the last sample; afterwards they are those of the march alone.
+int mostLightSamples(int turns)
+{
+  int turnsOfSample = max(loopTurns - turns, expectedLightTurns);
+  loopTurns = turns;
+  return (MOST_TURNS - turns) / turnsOfSample;
+}
 #endif
 
 // Opacity between samples of even light: what no sample meets is less than that. left: samples for the rest of the ray.
@@ -58,8 +61,13 @@ void marchAndSample(
     real waiting = pendingTimes(all, march.radiance);
     if (waiting > (marching ? real(0) : budget))
     {
+#if TETMARCH_COUNTS_TURNS
+      int turns = loopTurns;
+#endif
       found = sampleLight(ray, march.pause.start, march.pause.depth);
-      most = min(most, mostLightSamples());
+#if TETMARCH_COUNTS_TURNS
+      most = min(most, mostLightSamples(turns));
+#endif
     }
     vec4 before = known ? light : found;
     real error = real(0.5) * (known ? pendingTimes(found - before, march.radiance) : waiting);

@@ -31,6 +31,9 @@ struct CellInterval
   VertexAttributes enterAttributes; // interpolated
   VertexAttributes leaveAttributes;
 #endif
+#if TETMARCH_EVEN_GRADIENT
+  vec3 gradient; // in the normalised frame
+#endif
 #if TETMARCH_EFFECTS
   // Not in a struct of their own: WebGL allows structs in structs up to a depth of 4.
   Shade enterShade;  // at the ray's entry into the cell

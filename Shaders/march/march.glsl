@@ -155,6 +155,9 @@ bool passCell(Ray ray, real depthEnd, INOUT(RayPosition) place, INOUT(CellInterv
 #if TETMARCH_PAUSES_WITHIN
   march.pause.cells = crossing.cells;
 #endif
+#if TETMARCH_COUNTS_TURNS
+  countTurns(1);
+#endif
 
   // An inverted tetrahedron is left before it is entered; overlaps are cut off likewise.
   cell.begin = largerOf(cell.enter.x, march.done);

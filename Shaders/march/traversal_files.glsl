@@ -1,4 +1,7 @@
 // The common part of all marches: the traversal of the volume, and the transfer functions.
+#if TETMARCH_COUNTS_TURNS
+#include "march/loop_turns.glsl"
+#endif
 #if TETMARCH_STRUCTURED
 #include "structured/traversal_files.glsl"
 #else

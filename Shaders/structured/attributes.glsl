@@ -156,12 +156,22 @@ vec3 latticeGradientOf(int component, ivec3 cell, vec3 place)
 }
 #endif
 
-VertexAttributes attributesAt(Ray ray, ivec3 cell, real depth)
+vec3 gradientAt(Ray ray, ivec3 cell, real depth)
+{
+  return gradientFromLattice(latticeGradientOf(0, cell, ray.start + ray.slope * depth));
+}
+
+VertexAttributes attributesWith(vec3 gradient, Ray ray, real depth)
 {
   VertexAttributes attributes;
-  attributes.gradient = gradientFromLattice(latticeGradientOf(0, cell, ray.start + ray.slope * depth));
+  attributes.gradient = gradient;
 #if TETMARCH_VERTEX_LIGHT
   attributes.light = keptLightAt(ray.start + ray.slope * depth);
 #endif
   return attributes;
+}
+
+VertexAttributes attributesAt(Ray ray, ivec3 cell, real depth)
+{
+  return attributesWith(gradientAt(ray, cell, depth), ray, depth);
 }

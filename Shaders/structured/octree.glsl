@@ -11,6 +11,17 @@ struct Leaf
 
 bool isLeaf(uint node) { return node >> 31u != 0u; }
 
+// One level down, to the node around the cell.
+void descend(ivec3 cell, INOUT(uint) node, INOUT(int) shift)
+{
+  if (!isLeaf(node) && shift > 0)
+  {
+    shift = shift - 1;
+    int child = (cell.x >> shift & 1) + 2 * (cell.y >> shift & 1) + 4 * (cell.z >> shift & 1);
+    node = fetchOctreeNode(int(node) + child);
+  }
+}
+
 Leaf leafAround(ivec3 cell)
 {
   Leaf leaf;
@@ -22,12 +33,23 @@ Leaf leafAround(ivec3 cell)
     int shift = octreeShift;
     ivec3 at = ivec3(cell.x >> shift, cell.y >> shift, cell.z >> shift);
     uint node = fetchOctreeNode(at.x + octreeSize.x * (at.y + octreeSize.y * at.z));
+#if TETMARCH_LIMITS_TURNS && TETMARCH_EFFECTS
+    // Without a turn of the loop for each of the first levels: a gradient reads seven leaves.
+    descend(cell, node, shift);
+    descend(cell, node, shift);
+    descend(cell, node, shift);
+    descend(cell, node, shift);
+#endif
+#if TETMARCH_COUNTS_TURNS
+    countTurns(1 + shift);
+#endif
     while (!isLeaf(node) && shift > 0)
     {
-      shift = shift - 1;
-      int child = (cell.x >> shift & 1) + 2 * (cell.y >> shift & 1) + 4 * (cell.z >> shift & 1);
-      node = fetchOctreeNode(int(node) + child);
+      descend(cell, node, shift);
     }
+#if TETMARCH_COUNTS_TURNS
+    countTurns(-shift);
+#endif
     shift = shift + int(node >> OCTREE_NUMBER_BITS & 15u);
     leaf.low = ivec3(cell.x >> shift << shift, cell.y >> shift << shift, cell.z >> shift << shift);
     leaf.width = 1 << shift;

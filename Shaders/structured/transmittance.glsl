@@ -35,7 +35,7 @@ real cellExtinction(Ray ray, RayPosition place, CellInterval cell)
   real extinction = meanExtinction(visibleSegment(cell));
 #if TETMARCH_GRADIENT_OPACITY
   extinction =
-    extinction * gradientOpacity(attributesAt(ray, place.crossed, real(0.5) * (cell.begin + cell.end)).gradient);
+    extinction * gradientOpacity(gradientAt(ray, place.crossed, real(0.5) * (cell.begin + cell.end)));
 #endif
 #if TETMARCH_NAN_SHOWN
   extinction = cell.finite ? extinction : nanColor.w;
@@ -81,7 +81,7 @@ real transmittanceTo(LightStart start, vec3 direction, real distance)
 #endif
   }
 #if TETMARCH_COUNTS_TURNS
-  lightTurns = lightTurns + steps + 1;
+  countTurns(steps + 1);
 #endif
   return exp(-opticalDepth);
 }

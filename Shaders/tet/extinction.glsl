@@ -187,7 +187,7 @@ ExtinctionMarch marchExtinction(
     leaveBySearch(ray, march.finished, traversal);
   }
 #if TETMARCH_COUNTS_TURNS
-  lightTurns = lightTurns + march.cells / 2 + (1 + TURNS_OF_SEARCH) * entries;
+  countTurns(march.cells / 2 + (1 + TURNS_OF_SEARCH) * entries);
 #endif
   return march;
 }
