@@ -32,7 +32,7 @@ const Derived Conditions[] = {
   { "DEPENDENT", &VariantKey::isDependent },
   { "COMPONENTS", &VariantKey::hasComponents },
   { "EFFECTS", &VariantKey::hasGradients },
-  { "VERTEX_GRADIENTS", &VariantKey::hasVertexGradients },
+  { "LIT_PARTS", &VariantKey::hasLitParts },
   { "LIT", &VariantKey::isLit },
   { "SHADOWS", &VariantKey::hasShadows },
   { "VERTEX_LIGHT", &VariantKey::hasVertexLight },

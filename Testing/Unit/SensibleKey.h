@@ -90,6 +90,9 @@ inline bool isSensible(const VariantKey& k)
          !(k.LightTolerance && (!composite || k.PointSampled)) &&
          // Nor does the light of gradients of cells, unless shadows are sampled.
          !(k.LightTolerance && k.CellGradients && !k.Structured && !k.SampledShadows) &&
+         // Nor does that which is the same in the whole of a constant cell.
+         !(k.LightTolerance && k.Structured && !k.PointScalars && !k.WorldLights &&
+           !k.CastShadows && !k.Occlusion) &&
          // No light that a cut could let through.
          !(k.LightThroughCuts && !(k.Clipped && (k.CastShadows || k.Occlusion))) &&
          // No light that opaque geometry could keep off.

@@ -19,7 +19,7 @@ bool VariantKey::passesCells() const { return TETMARCH_PASSES_CELLS; }
 bool VariantKey::isDependent() const { return TETMARCH_DEPENDENT; }
 bool VariantKey::hasComponents() const { return TETMARCH_COMPONENTS; }
 bool VariantKey::hasGradients() const { return TETMARCH_EFFECTS; }
-bool VariantKey::hasVertexGradients() const { return TETMARCH_VERTEX_GRADIENTS; }
+bool VariantKey::hasLitParts() const { return TETMARCH_LIT_PARTS; }
 bool VariantKey::hasStoredGradients() const { return TETMARCH_STORED_GRADIENTS; }
 bool VariantKey::isLit() const { return TETMARCH_LIT; }
 bool VariantKey::hasShadows() const { return TETMARCH_SHADOWS; }

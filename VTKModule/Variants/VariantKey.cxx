@@ -115,8 +115,8 @@ VariantKey VariantKey::filtered() const
   key.CornerScalars = key.CornerScalars && !key.Curvilinear;
   key.CellGradients =
     (key.CellGradients || key.CornerScalars) && key.PointScalars && key.hasGradients();
-  // Of a cell there is one gradient, as fine as it gets.
-  key.LightTolerance = key.LightTolerance && (key.SampledShadows || key.hasVertexGradients());
+  // Light that is the same in the whole of a cell is as fine as it gets.
+  key.LightTolerance = key.LightTolerance && (key.SampledShadows || key.hasLitParts());
   return key;
 }
 

@@ -111,7 +111,8 @@ struct VariantKey
   bool hasComponents() const;
   /** Something depends on the gradient. */
   bool hasGradients() const;
-  bool hasVertexGradients() const;
+  /** The intervals of cells are gathered in parts in which light changes evenly. */
+  bool hasLitParts() const;
   /** Gradients are read from a buffer. */
   bool hasStoredGradients() const;
   /** The colour depends on light or gradients. */
