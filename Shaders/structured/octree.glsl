@@ -12,7 +12,7 @@ struct Leaf
 bool isLeaf(uint node) { return node >> 31u != 0u; }
 
 // One level down, to the node around the cell.
-void descend(ivec3 cell, INOUT(uint) node, INOUT(int) shift)
+void descendOnce(ivec3 cell, INOUT(uint) node, INOUT(int) shift)
 {
   if (!isLeaf(node) && shift > 0)
   {
@@ -20,6 +20,17 @@ void descend(ivec3 cell, INOUT(uint) node, INOUT(int) shift)
     int child = (cell.x >> shift & 1) + 2 * (cell.y >> shift & 1) + 4 * (cell.z >> shift & 1);
     node = fetchOctreeNode(int(node) + child);
   }
+}
+
+// Several levels at once where turns of loops are limited, and a gradient reads seven leaves.
+void descend(ivec3 cell, INOUT(uint) node, INOUT(int) shift)
+{
+  descendOnce(cell, node, shift);
+#if TETMARCH_LIMITS_TURNS && TETMARCH_EFFECTS
+  descendOnce(cell, node, shift);
+  descendOnce(cell, node, shift);
+  descendOnce(cell, node, shift);
+#endif
 }
 
 Leaf leafAround(ivec3 cell)
@@ -34,22 +45,18 @@ Leaf leafAround(ivec3 cell)
     ivec3 at = ivec3(cell.x >> shift, cell.y >> shift, cell.z >> shift);
     uint node = fetchOctreeNode(at.x + octreeSize.x * (at.y + octreeSize.y * at.z));
 #if TETMARCH_LIMITS_TURNS && TETMARCH_EFFECTS
-    // Without a turn of the loop for each of the first levels: a gradient reads seven leaves.
-    descend(cell, node, shift);
-    descend(cell, node, shift);
-    descend(cell, node, shift);
     descend(cell, node, shift);
 #endif
 #if TETMARCH_COUNTS_TURNS
-    countTurns(1 + shift);
+    countTurns(1);
 #endif
     while (!isLeaf(node) && shift > 0)
     {
       descend(cell, node, shift);
-    }
 #if TETMARCH_COUNTS_TURNS
-    countTurns(-shift);
+      countTurns(1);
 #endif
+    }
     shift = shift + int(node >> OCTREE_NUMBER_BITS & 15u);
     leaf.low = ivec3(cell.x >> shift << shift, cell.y >> shift << shift, cell.z >> shift << shift);
     leaf.width = 1 << shift;

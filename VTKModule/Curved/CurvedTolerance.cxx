@@ -55,46 +55,57 @@ CurvedTolerance toleranceOf(
 }
 
 bool leavesTolerance(const CurvedTolerance& tolerance, const PieceCorner& a, const PieceCorner& b,
-  const OutputPoints& points, CurvedCell& cell, CurvedPlace& place, EdgeDeparture& departure)
+  const OutputPoints& points, CurvedCell& cell, CurvedPlace& place, EdgeDeparture* departure)
 {
   const bool isTested = isLong(a, b);
+  if (!isTested && !departure)
+  {
+    return false;
+  }
   const Vector3 begin = points.position(a.Point.Id);
   const Vector3 along = points.position(b.Point.Id) - begin;
   const double length2 = dot(along, along);
   double farthest = -1;
-  EdgeDeparture found;
   for (const double t : TestedAt)
   {
     Vector3 at = scaled(1 - t, a.place());
     tetmarch::add(t, b.place(), at);
     cell.evaluate(at, place);
     // Its value is compared with that of the nearest point of the straight edge.
-    found.Apart = place.Position - begin;
-    const double share = length2 > 0 ? dot(found.Apart, along) / length2 : t;
-    tetmarch::add(-t, along, found.Apart);
-    Vector3 across = found.Apart;
+    Vector3 apart = place.Position - begin;
+    const double share = length2 > 0 ? dot(apart, along) / length2 : t;
+    tetmarch::add(-t, along, apart);
+    Vector3 across = apart;
     tetmarch::add(t - share, along, across);
     double off = partOf(tolerance.Distance, std::sqrt(dot(across, across)));
-    found.Values.clear();
     for (std::size_t c = 0; c < tolerance.Values.size(); ++c)
     {
       const double first = points.value(a.Point.Id, c);
       const double rise = points.value(b.Point.Id, c) - first;
-      const double difference = place.Values[c] - first - t * rise;
-      found.Values.push_back(difference);
-      off = std::max(off, partOf(tolerance.Values[c], std::abs(difference + (t - share) * rise)));
+      const double difference = place.Values[c] - first - share * rise;
+      off = std::max(off, partOf(tolerance.Values[c], std::abs(difference)));
     }
     if (off > 1 && isTested)
     {
       return true;
     }
-    found.Magnitude = magnitudeOf(place.Values) - (1 - t) * points.magnitude(a.Point.Id) -
-                      t * points.magnitude(b.Point.Id);
-    off = std::max(off, partOf(magnitudeOf(tolerance.Values), std::abs(found.Magnitude)));
-    if (off > farthest)
+    if (departure)
     {
-      farthest = off;
-      departure = found;
+      const double magnitude = magnitudeOf(place.Values) - (1 - t) * points.magnitude(a.Point.Id) -
+                               t * points.magnitude(b.Point.Id);
+      off = std::max(off, partOf(magnitudeOf(tolerance.Values), std::abs(magnitude)));
+      if (off > farthest)
+      {
+        farthest = off;
+        departure->Apart = apart;
+        departure->Values = place.Values;
+        for (std::size_t c = 0; c < departure->Values.size(); ++c)
+        {
+          departure->Values[c] -=
+            (1 - t) * points.value(a.Point.Id, c) + t * points.value(b.Point.Id, c);
+        }
+        departure->Magnitude = magnitude;
+      }
     }
   }
   return false;

@@ -29,10 +29,10 @@ CurvedTolerance toleranceOf(
   vtkUnstructuredGrid* grid, vtkDataArray* scalars, double partOfDiagonal, double partOfRange);
 
 /** Whether an edge of a cell leaves a tolerance at a quarter, a half or three quarters of it. An
- * edge below 1/64 of a cell's does not. If it does not, `departure` is that of the one of these
- * three points that is farthest off. `place` is overwritten. */
+ * edge below 1/64 of a cell's does not. If it does not, `departure`, unless null, becomes that of
+ * the one of these three points that is farthest off. `place` is overwritten. */
 bool leavesTolerance(const CurvedTolerance& tolerance, const PieceCorner& a, const PieceCorner& b,
-  const OutputPoints& points, CurvedCell& cell, CurvedPlace& place, EdgeDeparture& departure);
+  const OutputPoints& points, CurvedCell& cell, CurvedPlace& place, EdgeDeparture* departure);
 
 } // namespace tetmarch
 

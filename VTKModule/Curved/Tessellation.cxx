@@ -139,12 +139,12 @@ private:
     if (middle == EdgeTable::Unknown)
     {
       middle = EdgeTable::Whole;
-      if (leavesTolerance(
-            this->Tolerance, a, b, this->Points, this->Cell, this->Place, this->Departure))
+      EdgeDeparture* departure = this->MeasuresDepartures ? &this->Departure : nullptr;
+      if (leavesTolerance(this->Tolerance, a, b, this->Points, this->Cell, this->Place, departure))
       {
         this->setMiddle(cell, a, b, middle);
       }
-      else if (this->MeasuresDepartures)
+      else if (departure)
       {
         edge.Departure = this->Departures.add(this->Departure);
       }

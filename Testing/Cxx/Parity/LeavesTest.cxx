@@ -220,6 +220,36 @@ TEST(Leaves, LightIsThatOfTheGroundTruth)
   }
 }
 
+// Rays along a thousand leaves, up to twelve levels deep: each takes a descent to the leaf and,
+// where it is lit, to its neighbours. llvmpipe would end rays that take too many turns of loops for
+// it.
+TEST(Leaves, OfDeepTreesAreLitToTheEnd)
+{
+  const double x = 0.501;
+  const auto isOnLine = [x](const Node& node)
+  {
+    return node.Level < 11 && node.Low[0] <= x && x < node.Low[0] + node.Width &&
+           node.Low[1] <= x && x < node.Low[1] + node.Width;
+  };
+  const LeafTrees made = leafTrees(1, sineField(2.1), isOnLine);
+  Scene scene(made.Leaves, 16, 16);
+  scene.Mapper->SetInputDataObject(made.Trees);
+  scene.drawCellScalars();
+  lookDownZ(scene.camera(), 0.0004);
+  scene.camera()->SetFocalPoint(x, x, 0.5);
+  scene.camera()->SetPosition(x, x, 3.0);
+  scene.Renderer->ResetCameraClippingRange();
+  scene.property()->SetScalarOpacityUnitDistance(2.0);
+  const Image expected = scene.render();
+  EXPECT_GT(scene.Mapper->GetNumberOfCrossedCells(), 16 * 16 * 1000);
+  scene.property()->ShadeOn();
+  const Image drawn = scene.render();
+  for (std::size_t pixel = 0; pixel < drawn.Rgba.size(); pixel += 4)
+  {
+    ASSERT_NEAR(drawn.Rgba[pixel + 3], expected.Rgba[pixel + 3], 1e-5) << "pixel " << pixel / 4;
+  }
+}
+
 // Of blocks the cell of the block; of a tree the number of the leaf.
 TEST(Leaves, ArePicked)
 {
