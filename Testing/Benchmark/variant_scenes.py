@@ -290,11 +290,12 @@ class VariantScene:
         if self.has("CELL_GRADIENTS"):
             self.mapper.SetGradientTypeToCell()
         if self.has("SHADING"):
-            self.property.ShadeOn()
-            self.property.SetAmbient(0.3)
-            self.property.SetDiffuse(0.8)
-            self.property.SetSpecular(0.4)
-            self.property.SetSpecularPower(12.0)
+            for component in range(self.components()):  # which reflect light alike
+                self.property.ShadeOn(component)
+                self.property.SetAmbient(component, 0.3)
+                self.property.SetDiffuse(component, 0.8)
+                self.property.SetSpecular(component, 0.4)
+                self.property.SetSpecularPower(component, 12.0)
         if self.has("CAST_SHADOWS") or self.has("HEADLIGHT_SHADOWS"):
             self.mapper.SetShadowMethod(self.mapper.SHADOWS_ALONG_RAYS if self.has("SAMPLED_SHADOWS")
                                         else self.mapper.SHADOWS_AT_VERTICES)
