@@ -15,6 +15,7 @@ CellInterval beginCellInterval(Ray ray, INOUT(RayPosition) place)
 {
   CellInterval cell;
   fetchCorners(place.face);
+  placeOnPath(place.side, place.face);
   lookAhead(place);
   beginCell(cell);
   cell.leave = intersectionPoint(place.face);

@@ -1,7 +1,8 @@
 // The tetrahedra of a curvilinear grid follow from i, j, k (Mesh/CurvilinearCells.h). As tet/packed_cells.glsl.
 // Without a choice by `?:` where there is another way: SwiftShader needs minutes to compile a dozen of them.
 
-// A face seen from the ray's side; the numbers of half-faces are those of packed cells.
+// A face seen from the ray's side. Face f of a tetrahedron is opposite vertex f of its path; as in packed cells that is
+// the rank of the vertex by id, unless sides are joined.
 struct Side
 {
   uint ahead; // half-face of the tetrahedron that the ray enters; LINK_OUTSIDE: none
@@ -41,6 +42,10 @@ int quotientOf(int n, int divisor, float reciprocal)
   return q - int(rest < 0) + int(rest >= divisor);
 }
 
+#if TETMARCH_JOINED_SIDES
+#include "tet/joined_sides.glsl"
+#endif
+
 Side sideFrom(uint link, uint ahead)
 {
   Side side;
@@ -58,6 +63,9 @@ Side sideFrom(uint link, uint ahead)
 // The fourth vertex of the tetrahedron ahead.
 uint apexOf(uvec4 cell, Side side, uvec3 ids)
 {
+#if TETMARCH_JOINED_SIDES
+  return vertexOnPath(side, apexOnPath(placesOnPath(side, ids)));
+#else
   Path path = pathOf(side.path);
   ivec3 count = hexahedraAlong();
   ivec3 strides = ivec3(1, count.x + 1, (count.x + 1) * (count.y + 1));
@@ -66,6 +74,7 @@ uint apexOf(uvec4 cell, Side side, uvec3 ids)
   int second = lowest + strides[path.first];
   int third = highest - strides[path.last];
   return uint(lowest ^ second ^ third ^ highest) ^ ids.x ^ ids.y ^ ids.z;
+#endif
 }
 
 uvec4 cellAhead(Side side) { return uvec4(0u, 0u, 0u, 0u); }
@@ -91,8 +100,13 @@ Side sideBehind(uvec4 cell, Side side, uint face)
   Side behind;
   behind.link = (side.ahead & ~3u) + face;
   behind.path = 2 * first + abs(within - path.turn);
+  int place = side.cell[axis] + step;
+#if TETMARCH_JOINED_SIDES
+  int around = joinedSides[axis] * count[axis] * (int(place < 0) - int(place >= count[axis]));
+  place = place + around;
+  step = step + around;
+#endif
   behind.cell = side.cell + step * ivec3(equal(ivec3(axis, axis, axis), ivec3(0, 1, 2)));
-  int place = behind.cell[axis];
   int stride = ivec3(1, count.x, count.x * count.y)[axis];
   int ahead = int(side.ahead & ~3u) + 4 * (6 * step * stride + behind.path - side.path) +
     within * (2 * f - 3) + 3 - f;

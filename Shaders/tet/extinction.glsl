@@ -144,6 +144,7 @@ void marchExtinctionToExit(
   face.at = tablePoint(isDrawn(face.enter.y) ? face.enter.y * tableScale + tableOffset : tableOffset);
 #endif
   fetchCorners(place.face);
+  placeOnPath(place.side, place.face);
   lookAhead(place);
 #if TETMARCH_DENSITY_OF_FACES
   face.density = densityAt(place.face);

@@ -9,12 +9,23 @@ struct FaceIntersection
   vec3 depth;  // their depths along the ray
   vec3 scalar; // their scalars
   vec3 weight; // cross(b, c), cross(c, a), cross(a, b): barycentrics of the ray's point, not normalised
+#if TETMARCH_JOINED_SIDES
+  int onPath;  // their places on the path of the tetrahedron ahead (joined_sides.glsl); set by placeOnPath(), then kept
+#endif
 #if TETMARCH_VERTEX_ATTRIBUTES
   VertexAttributes attributesA; // of the vertices; set by fetchCorners(), then kept by replaceByExit()
   VertexAttributes attributesB;
   VertexAttributes attributesC;
 #endif
 };
+
+// Where a march begins.
+void placeOnPath(Side side, INOUT(FaceIntersection) face)
+{
+#if TETMARCH_JOINED_SIDES
+  face.onPath = placesOnPath(side, face.id);
+#endif
+}
 
 void fetchCorners(INOUT(FaceIntersection) face)
 {
@@ -98,8 +109,8 @@ int rankOfDropped(uvec3 id, uint apexId, bool dropA, bool dropB)
 }
 
 // Replaces the intersection by that of the face through which the ray leaves the tetrahedron with the given fourth
-// vertex. Returns the index of that face in the tetrahedron, which is the rank by id of the opposite vertex; -1 if
-// there is none, which cannot happen with four real points.
+// vertex. Returns the index of that face in the tetrahedron, which is the rank by id of the opposite vertex, or its place
+// on the path; -1 if there is none, which cannot happen with four real points.
 int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real apexScalar)
 {
   vec2 d = vec2(apex.x, apex.y);
@@ -115,7 +126,11 @@ int replaceByExit(INOUT(FaceIntersection) face, uint apexId, vec3 apex, real ape
   bool dropB = leftA && !leftC;
   bool dropC = leftB && !leftA;
 
+#if TETMARCH_JOINED_SIDES
+  int rank = replaceOnPath(face.onPath, dropA, dropB);
+#else
   int rank = rankOfDropped(face.id, apexId, dropA, dropB);
+#endif
 
   face.weight = vec3(dropA ? face.weight.x : (dropB ? -crossC : crossB),
     dropB ? face.weight.y : (dropC ? -crossA : crossC),

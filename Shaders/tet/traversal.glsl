@@ -21,6 +21,15 @@ struct RayPosition
 #endif
 };
 
+uint apexAhead(uvec4 cell, Side side, FaceIntersection face)
+{
+#if TETMARCH_JOINED_SIDES
+  return vertexOnPath(side, apexOnPath(face.onPath));
+#else
+  return apexOf(cell, side, face.id);
+#endif
+}
+
 // At the first face inside of the mesh, and at each further one: reads the tetrahedron ahead, or any if the face is the
 // last one.
 void lookAhead(INOUT(RayPosition) place)
@@ -30,7 +39,7 @@ void lookAhead(INOUT(RayPosition) place)
   Side ahead = place.side;
   ahead.ahead = outside ? 0u : ahead.ahead;
   place.ahead.cell = cellAhead(ahead);
-  place.ahead.apexId = outside ? place.face.id.x : apexOf(place.ahead.cell, ahead, place.face.id);
+  place.ahead.apexId = outside ? place.face.id.x : apexAhead(place.ahead.cell, ahead, place.face);
   place.ahead.apex = fetchVertex(place.ahead.apexId);
 #endif
 }
@@ -42,7 +51,7 @@ EnteredTet tetAhead(RayPosition place)
 #else
   EnteredTet tet;
   tet.cell = cellAhead(place.side);
-  tet.apexId = apexOf(tet.cell, place.side, place.face.id);
+  tet.apexId = apexAhead(tet.cell, place.side, place.face);
   tet.apex = fetchVertex(tet.apexId);
   return tet;
 #endif

@@ -15,7 +15,7 @@ FEATURES = frozenset("""
     CELL_GRADIENTS GRADIENT_OPACITY SHADING HEADLIGHT_ONLY SINGLE_LIGHT FEW_LIGHTS WORLD_LIGHTS SCATTERING CAST_SHADOWS
     SEVERAL_SHADOWS SAMPLED_SHADOWS LIGHT_TOLERANCE LIGHT_THROUGH_CUTS OPAQUE_SHADOWS HEADLIGHT_SHADOWS OCCLUSION
     SHOW_ILLUMINATION SHOW_GRADIENTS STRUCTURED RECTILINEAR OCTREE LEAPS POINT_SAMPLED SLABS MANY_SLABS VISIBLE_PART
-    REENTERED CURVILINEAR CURVED_ERROR CORNER_SCALARS
+    REENTERED CURVILINEAR JOINED_SIDES CURVED_ERROR CORNER_SCALARS
     """.split())
 ARRAY = "field"
 CUBES = 4
@@ -79,9 +79,14 @@ class VariantScene:
 
     def make_grid(self):
         if self.has("CURVILINEAR"):
-            places = grids.lattice_points(CUBES, grids.JITTER, 1)
+            joined = self.has("JOINED_SIDES")
+            places = grids.lattice_points(CUBES, grids.JITTER / 3 if joined else grids.JITTER, 1)
             if self.is_reentered():  # not convex
                 places[:, 1] += 0.2 * np.sin(np.pi * places[:, 0])
+            if joined:  # one side becomes an edge
+                edge = places[:, 0] == 0
+                places[edge, 2] = grids.lattice_points(CUBES, 0, 1)[edge, 2]
+                places[:, 1] = 0.5 + (places[:, 1] - 0.5) * places[:, 0]
             return grids.curvilinear(places, CUBES)
         return grids.lattice(CUBES, grids.outside_a_hole if self.is_reentered() else None)
 
@@ -102,9 +107,12 @@ class VariantScene:
             unseen = np.arange(len(values))[:, np.newaxis] % 2 == 0
             values = np.where(unseen, 0.2 + 0.1 * values, 0.6 + 0.28 * values)
         if self.has("NAN_SHOWN"):
-            # Of odd numbers, which are those that are seen above; and in the part that is visible.
-            spoilt = np.arange(len(values)) % 28 == 5
-            values[spoilt & (places[:, 0] > VISIBLE_FROM) if self.has("VISIBLE_PART") else spoilt] = np.nan
+            # Of odd numbers, which are those that are seen above; or of those in the part that is visible.
+            visible = np.flatnonzero(places[:, 0] > (VISIBLE_FROM if self.has("VISIBLE_PART") else -1))
+            values[visible[5::28]] = np.nan
+        if self.has("JOINED_SIDES") and self.has("POINT_SCALARS"):
+            _, first, group = np.unique(places, axis=0, return_index=True, return_inverse=True)
+            values = values[first[group]]  # no jumps
         if self.has("CORNER_SCALARS"):
             grid, points = grids.with_points_of_each_cell(grid)
             data, values = grid.GetPointData(), values[points]

@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tetmarch::testing
@@ -21,6 +22,19 @@ Vec3 turned(double radius, double turns, double z)
 {
   const double angle = 2 * vtkMath::Pi() * (turns - std::floor(turns));
   return { 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle), z };
+}
+
+Vec3 onSphere(double radius, double turns, double share)
+{
+  const double angle = vtkMath::Pi() * share;
+  return turned(
+    share < 1 ? radius * std::sin(angle) : 0.0, turns, 0.5 - radius * std::cos(angle));
+}
+
+Vec3 onTorus(double radius, double turns, double aroundTube)
+{
+  const Vec3 tube = turned(radius, aroundTube, 0);
+  return turned(tube[0] - 0.2, turns, tube[1]);
 }
 } // namespace
 
@@ -75,16 +89,25 @@ const std::vector<NamedMovement>& everyMovement()
       true },
     { "three quarters of a ring",
       [](const Vec3& p) { return turned(0.2 + 0.3 * p[0], 0.75 * p[1], p[2]); }, true },
-    { "whole ring", [](const Vec3& p) { return turned(0.2 + 0.3 * p[0], p[1], p[2]); }, false },
+    { "ring along i", [](const Vec3& p) { return turned(0.5 - 0.3 * p[1], p[0], p[2]); }, true,
+      true },
+    { "ring along j", [](const Vec3& p) { return turned(0.2 + 0.3 * p[0], p[1], p[2]); }, true,
+      true },
+    { "ring along k, left-handed",
+      [](const Vec3& p) { return turned(0.2 + 0.3 * p[0], p[2], p[1]); }, true, true },
     { "cylinder with its axis", [](const Vec3& p) { return turned(0.5 * p[0], 0.9 * p[1], p[2]); },
-      false },
-    { "ball",
+      true, true },
+    { "shell with poles", [](const Vec3& p) { return onSphere(0.2 + 0.3 * p[0], p[1], p[2]); },
+      true, true },
+    { "ball with its middle, along k",
+      [](const Vec3& p) { return onSphere(0.5 - 0.5 * p[2], p[0], p[1]); }, true, true },
+    { "hollow torus", [](const Vec3& p) { return onTorus(0.1 + 0.1 * p[0], p[1], p[2]); }, true,
+      true },
+    { "torus with its axis", [](const Vec3& p) { return onTorus(0.2 * p[1], p[2], p[0]); }, true,
+      true },
+    { "ring that closes in part",
       [](const Vec3& p)
-      {
-        const double angle = vtkMath::Pi() * p[2];
-        const double radius = 0.2 + 0.3 * p[0];
-        return turned(radius * std::sin(angle), p[1], 0.5 - radius * std::cos(angle));
-      },
+      { return turned(0.2 + 0.3 * p[0], p[1] * (1 - std::max(0.0, 0.2 * p[2] - 0.1)), p[2]); },
       false },
     { "flat",
       [](const Vec3& p) {

@@ -31,7 +31,8 @@ struct NamedMovement
 {
   const char* Name;
   Movement Move;
-  bool Computed; // cells need not be stored
+  bool Computed;       // cells need not be stored
+  bool Joined = false; // sides of the grid meet
 };
 
 /// Within or around the unit cube.

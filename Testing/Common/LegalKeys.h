@@ -160,6 +160,8 @@ inline std::vector<VariantKey> legalPickKeys()
     legal.add(other.ofPick());
     other.Curvilinear = true;
     legal.add(other.ofPick());
+    other.JoinedSides = true;
+    legal.add(other.ofPick());
   }
   return legal.Keys;
 }

@@ -58,8 +58,10 @@ inline bool isSensible(const VariantKey& k)
            (k.TransparentRanges || k.GradientOpacity || k.CellGradients || k.LightTolerance ||
              k.Scattering || k.CastShadows || k.HeadlightShadows || k.Occlusion ||
              k.ShowIllumination || k.ShowGradients)) &&
-         // Computed tetrahedra are in no buffer. Their corners have the scalars of the points.
+         // Computed tetrahedra are in no buffer. Their corners have the scalars of the points. Only
+         // grids of them have sides that meet.
          !(k.Curvilinear && (k.SplitCells || k.CornerScalars)) &&
+         (k.Curvilinear || !k.JoinedSides) &&
          // Where errors are counted, and cells of one scalar were cut; one that is transparent may
          // be a visible one.
          !(k.CurvedError && (!k.Diagnostics || !composite || k.Structured || k.Curvilinear ||
@@ -86,7 +88,9 @@ inline bool isSensible(const VariantKey& k)
          // No shadows to be sampled.
          !(k.SeveralShadows && !k.CastShadows) &&
          !(k.SampledShadows && !k.CastShadows && !(k.Occlusion && k.LightTolerance)) &&
-         // Samples keep no tolerance, nor do surfaces.
+         // Light at vertices keeps no tolerance.
+         !(k.LightTolerance && !k.SampledShadows && (k.CastShadows || k.Occlusion)) &&
+         // Nor do samples of a ray, nor surfaces.
          !(k.LightTolerance && (!composite || k.PointSampled)) &&
          // Nor does the light of gradients of cells, unless shadows are sampled.
          !(k.LightTolerance && k.CellGradients && !k.Structured && !k.SampledShadows) &&

@@ -94,7 +94,9 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
         const bool many = name == "MANY_SLABS" && asked.Slabs && got.hasComponents();
         const bool jumps = name == "CELL_GRADIENTS" && asked.CornerScalars;
         const bool parted = name == "REENTERED" && asked.VisiblePart;
-        ASSERT_TRUE(searched || cut || many || jumps || parted) << namesOf(asked) << ": " << name;
+        const bool sampled = name == "SAMPLED_SHADOWS" && asked.LightTolerance;
+        ASSERT_TRUE(searched || cut || many || jumps || parted || sampled)
+          << namesOf(asked) << ": " << name;
       }
       if (feature.isOn(asked) && !feature.isOn(got))
       {
@@ -109,21 +111,22 @@ TEST(VariantKey, FilterDropsWhatChangesNothing)
 // Rays towards the light: of scalars at points or of cells, with what is not finite and with hidden
 // cells or without; past opaque geometry or not, and with gradient opacity of points in two ways,
 // of corners and of cells in one, or without. Through a mesh in one part or several, fused or not,
-// in one buffer or two; through a curvilinear grid; through a lattice whose planes are even or not,
-// with leaps or without, or with leaves of scalars of cells, and whose values are in one texture,
-// in two or in many. Cuts let light through or not.
+// in one buffer or two; through a curvilinear grid, whose sides meet or not; through a lattice
+// whose planes are even or not, with leaps or without, or with leaves of scalars of cells, and
+// whose values are in one texture, in two or in many. Cuts let light through or not.
 TEST(VariantKey, LegalKeysAreCounted)
 {
   const std::size_t light = legalLightKeys().size();
   const std::size_t ofMeshes = 2 * 2 * 2 * 2 * 2 * (3 + 2 + 2);
   const std::size_t ofVolumes = 2 * 2 * 2 * 2 * 2 * (3 + 2);
-  const std::size_t ofCurvilinear = ofVolumes; // it has no corners of their own
+  const std::size_t ofCurvilinear = 2 * ofVolumes; // its sides meet or not; corners have no scalars
   const std::size_t ofLeaves = 2 * 2 * 2 * 2 * 2;
   EXPECT_EQ(light, 2 * (2 * ofMeshes + ofCurvilinear + 3 * ofVolumes + ofLeaves));
   // Entries are listed or searched for. Of scalars at points, corners or cells, clipped, cropped or
   // whole, with hidden cells or not; of volumes with opacity by gradients of either kind or
   // without, or of independent components, with what is not finite or not; or in three other blend
-  // modes. Of a mesh in one buffer or two; of a curvilinear grid, without corners; or of a lattice,
+  // modes. Of a mesh in one buffer or two; of a curvilinear grid with joined sides or not, without
+  // corners; or of a lattice,
   // whose planes are even or not, volumes are leapt to or not, and so are surfaces in trilinear
   // cells; in one texture, two, many. Of leaves of scalars of cells.
   const std::size_t picked = legalPickKeys().size();
@@ -132,7 +135,7 @@ TEST(VariantKey, LegalKeysAreCounted)
   const std::size_t ofTetrahedra = 2 * 3 * 2 * (searched + searched + visible);
   const std::size_t visibleCorners = 2 * 3 * 2 * (2 * 2 + 1); // of a mesh in one buffer
   const std::size_t computed = (3 + 2 + 2) * 2 + 3 * 2;
-  const std::size_t ofCurvilinearPicks = 2 * 3 * 2 * (computed + computed + visible);
+  const std::size_t ofCurvilinearPicks = 2 * 2 * 3 * 2 * (computed + computed + visible);
   const std::size_t ofLeavesPicked = 2 * 3 * 2 * ((2 + 1) * 2 + 3);
   const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
   const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
@@ -204,9 +207,10 @@ TEST(VariantKey, PicksKnowNoLight)
     ASSERT_TRUE(pick.VisiblePart || !pick.Reentered); // its rays enter once more in that part alone
     pick.VisiblePart = false;
     pick.Reentered = false;
-    for (bool VariantKey::*same : { &VariantKey::Clipped, &VariantKey::Cropped,
-           &VariantKey::HiddenCells, &VariantKey::NanShown, &VariantKey::Octree, &VariantKey::Leaps,
-           &VariantKey::SplitCells, &VariantKey::Curvilinear, &VariantKey::CornerScalars })
+    for (bool VariantKey::*same :
+      { &VariantKey::Clipped, &VariantKey::Cropped, &VariantKey::HiddenCells, &VariantKey::NanShown,
+        &VariantKey::Octree, &VariantKey::Leaps, &VariantKey::SplitCells, &VariantKey::Curvilinear,
+        &VariantKey::JoinedSides, &VariantKey::CornerScalars })
     {
       ASSERT_EQ(pick.*same, picture.*same) << namesOf(picture);
       pick.*same = false;

@@ -44,6 +44,23 @@ void forPartsOf(std::size_t count, const Work& work)
     { work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
+// A bit for each tetrahedron; empty if none is degenerate.
+std::vector<std::uint32_t> degenerateTets(const TetMesh& mesh)
+{
+  const bool mayBe = mesh.Curvilinear && mesh.Curvilinear->joins().any();
+  std::vector<std::uint32_t> words(mayBe ? wordsFor(mesh.Tets.size()) : 0);
+  forPartsOf(words.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t tet = begin * BitsOfWord; tet < std::min(end * BitsOfWord, mesh.Tets.size());
+           ++tet)
+      {
+        words[tet / BitsOfWord] |= (mesh.isDegenerate(tet) ? 1u : 0u) << (tet % BitsOfWord);
+      }
+    });
+  return words;
+}
+
 } // namespace
 
 bool VisiblePartFinder::isCurrent(const VisibleScalars& shown, const Fingerprint& version) const
@@ -90,6 +107,7 @@ void VisiblePartFinder::begin(const TetMesh& mesh, const MeshScalars& scalars, b
   this->Entries = std::vector<std::atomic<std::uint32_t>>(wordsFor(4 * mesh.Tets.size()));
   this->Part.Tets.resize(wordsFor(mesh.Tets.size()));
   this->KnownTets.resize(this->Part.Tets.size());
+  this->DegenerateTets = degenerateTets(mesh);
 }
 
 void VisiblePartFinder::mark(const TetMesh& mesh, const VisibleScalars& shown)
@@ -108,13 +126,17 @@ void VisiblePartFinder::mark(const TetMesh& mesh, const VisibleScalars& shown)
         for (std::size_t word = 2 * cluster; word < std::min(2 * cluster + 2, words.size()); ++word)
         {
           words[word] = static_cast<std::uint32_t>(bits) & (hidden.empty() ? ~0u : ~hidden[word]);
-          count += countOf(words[word]);
+          words[word] |= this->degenerateIn(word);
+          count += countOf(words[word] & ~this->degenerateIn(word));
           bits >>= BitsOfWord;
         }
       }
       visible += count;
     });
-  this->Part.NumberOfTets = visible;
+  const std::size_t passed =
+    std::accumulate(this->DegenerateTets.begin(), this->DegenerateTets.end(), std::size_t(0),
+      [](std::size_t sum, std::uint32_t word) { return sum + countOf(word); });
+  this->Part.NumberOfTets = visible > 0 ? visible + passed : 0;
 }
 
 // Only half-faces of tetrahedra whose visibility has changed, and those behind them, may change.
@@ -126,7 +148,8 @@ void VisiblePartFinder::findEntries(const TetMesh& mesh)
       for (std::size_t word = begin; word < end; ++word)
       {
         std::size_t tet = word * BitsOfWord;
-        for (std::uint32_t changed = this->Part.Tets[word] ^ this->KnownTets[word]; changed != 0;
+        const std::uint32_t different = this->Part.Tets[word] ^ this->KnownTets[word];
+        for (std::uint32_t changed = different & ~this->degenerateIn(word); changed != 0;
              changed >>= 1, ++tet)
         {
           if ((changed & 1u) != 0)

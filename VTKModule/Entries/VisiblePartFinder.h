@@ -35,6 +35,10 @@ private:
   using Faces = std::vector<std::array<Id, 4>>;
   void begin(const TetMesh& mesh, const MeshScalars& scalars, bool isSameMesh);
   void mark(const TetMesh& mesh, const VisibleScalars& shown);
+  std::uint32_t degenerateIn(std::size_t word) const
+  {
+    return this->DegenerateTets.empty() ? 0 : this->DegenerateTets[word];
+  }
   void findEntries(const TetMesh& mesh);
   void findEntriesOf(const TetMesh& mesh, std::size_t tet);
   void toggle(std::size_t halfFace, std::uint32_t bits);
@@ -51,6 +55,9 @@ private:
    * ones for which it is known. */
   std::vector<std::atomic<std::uint32_t>> Entries;
   std::vector<std::uint32_t> KnownTets;
+  /** A bit for each tetrahedron; empty if none is degenerate. Rays pass through them from one
+   * visible tetrahedron to another. */
+  std::vector<std::uint32_t> DegenerateTets;
   Ends Chunks;                    // where the faces of each chunk of Entries end
   Faces LastFaces;                // of the last part; kept, since new memory takes long
   bool ByVolumes = false;         // volumes determine how faces are oriented; else Signs

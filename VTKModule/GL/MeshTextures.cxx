@@ -75,6 +75,8 @@ std::string MeshTextures::uploadCurvilinear(
   this->Cells.release(window);
   std::copy_n(cells.cells().begin(), 3, this->HexahedraCounts.begin());
   std::copy_n(cells.firstFaces().begin(), 6, this->HexahedraCounts.begin() + 3);
+  std::copy_n(cells.joins().Rings.begin(), 3, this->JoinedSides.begin());
+  std::copy_n(cells.joins().Poles.begin(), 6, this->JoinedSides.begin() + 3);
   return this->BoundaryOrder.upload(
     window, TexelFormat::R32UI, cells.order().data(), cells.order().size());
 }
@@ -95,6 +97,11 @@ void MeshTextures::bindCells(vtkShaderProgram* program, const VariantKey& key)
   }
   program->SetUniform1iv("hexahedraCounts", static_cast<int>(counts.size()), counts.data());
   program->SetUniform2f("hexahedraShares", shares.data());
+  if (key.JoinedSides)
+  {
+    program->SetUniform1iv(
+      "joinedSides", static_cast<int>(this->JoinedSides.size()), this->JoinedSides.data());
+  }
 }
 
 std::string MeshTextures::uploadScalars(

@@ -63,6 +63,7 @@ private:
   CellBuffer Extra;
   TextureBuffer HiddenCellBits;
   std::array<int, 9> HexahedraCounts{}; // Shaders/tet/curvilinear_buffers.glsl
+  std::array<int, 9> JoinedSides{};
   int NumberOfTets = 0;
   int NumberOfNodes = 0;
   int NumberOfReentryNodes = 0;

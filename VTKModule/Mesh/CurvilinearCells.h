@@ -21,36 +21,43 @@ using Id = std::uint32_t;
 /** Links of half-faces at the boundary are LinkOutside + the index of the boundary face. */
 constexpr Id LinkOutside = 0x80000000u;
 
+/** Sides of a curvilinear grid whose points have equal places. Sides are those below and above
+ * along i, j and k. */
+struct JoinedSides
+{
+  std::array<bool, 3> Rings{}; // the sides along the axis are one, point for point
+  std::array<Id, 6> Poles{}; // of each side the axes along which its points are one; bits 1 << axis
+
+  bool any() const { return *this != JoinedSides(); }
+  bool operator!=(const JoinedSides& other) const
+  {
+    return this->Rings != other.Rings || this->Poles != other.Poles;
+  }
+};
+
 /**
  * Each hexahedron is cut into six tetrahedra (Kuhn, "Some combinatorial lemmas in topology", 1960):
  * one for each order of the axes in which a path along the edges leads from its lowest point to its
  * highest one. All faces are cut through their lowest point, so neighbours fit, and the vertices of
  * a path ascend. Cells and points are numbered as by VTK, i first. Tetrahedron 6 c + 2 a + s of
  * cell c begins along axis a; s is 0 if the next axis is a + 1 (modulo 3), else 1.
+ *
+ * Of points at one place, by the joined sides, the first is the vertex of all. At poles a path may
+ * have one vertex twice: its tetrahedron is degenerate, no link leads to it, and its own links mean
+ * nothing.
  */
 class CurvilinearCells
 {
 public:
   static constexpr Id TetsOfCell = 6;
+  /** In order(): of a triangle at a pole that is degenerate. */
+  static constexpr Id NoFace = 0xffffffffu;
 
   CurvilinearCells() = default;
-  explicit CurvilinearCells(const std::array<Id, 3>& cells)
-    : Cells(cells)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      const Id side = 2 * this->sideCells(a);
-      this->FirstFaces[2 * a + 1] = this->FirstFaces[2 * a] + side;
-      this->FirstFaces[2 * a + 2] = this->FirstFaces[2 * a + 1] + side;
-    }
-    this->BoundaryOrder.resize(this->FirstFaces[6]);
-    for (Id face = 0; face < this->FirstFaces[6]; ++face)
-    {
-      this->BoundaryOrder[face] = face;
-    }
-  }
+  explicit CurvilinearCells(const std::array<Id, 3>& cells, const JoinedSides& joins = {});
 
   const std::array<Id, 3>& cells() const { return this->Cells; }
+  const JoinedSides& joins() const { return this->Joins; }
   std::size_t numberOfTets() const
   {
     return std::size_t(TetsOfCell) * this->Cells[0] * this->Cells[1] * this->Cells[2];
@@ -64,80 +71,47 @@ public:
   {
     return { { 1, this->Cells[0] + 1, (this->Cells[0] + 1) * (this->Cells[1] + 1) } };
   }
-  Id numberOfBoundaryFaces() const { return this->FirstFaces[6]; }
-  /** The number of the first triangle of each side: below and above along i, j and k. */
+  /** The number of the first triangle of each side that isn't joined to another, and their end. */
   const std::array<Id, 7>& firstFaces() const { return this->FirstFaces; }
 
-  /** The points of a tetrahedron, which ascend. */
+  /** The vertex at a point. */
+  Id vertexAt(const std::array<Id, 3>& point) const;
+  /** The vertices of a tetrahedron, which ascend. */
   std::array<Id, 4> tet(std::size_t number) const
   {
-    const Place at = this->placeOf(number);
-    const std::array<Id, 3> strides = this->pointStrides();
-    std::array<Id, 4> points{};
-    points[0] = at.Cell[0] + strides[1] * at.Cell[1] + strides[2] * at.Cell[2];
-    for (int step = 0; step < 3; ++step)
+    std::array<Id, 4> vertices = this->path(this->placeOf(number));
+    if (this->IsJoined)
     {
-      points[step + 1] = points[step] + strides[at.Axes[step]];
+      std::sort(vertices.begin(), vertices.end());
     }
-    return points;
+    return vertices;
+  }
+  /** The sign of the volume of a tetrahedron, its vertices taken as above, in a grid whose axes are
+   * right-handed. */
+  int sign(std::size_t tet) const;
+  bool isDegenerate(std::size_t tet) const
+  {
+    return this->IsJoined && this->flatStep(this->placeOf(tet)) >= 0;
   }
 
   /** The half-face on the other side, or LinkOutside + the index of the boundary face. */
   Id link(std::size_t halfFace) const
   {
-    const Place at = this->placeOf(halfFace / 4);
-    const auto tetWith = [](int first, int turn) { return static_cast<Id>(2 * first + turn); };
-    const Id cell = static_cast<Id>(halfFace / 4 / TetsOfCell);
-    const auto within = [&](Id tet, Id face) { return 4 * (TetsOfCell * cell + tet) + face; };
-    switch (halfFace % 4)
-    {
-      case 0: // beyond the upper side of the first axis, where the path goes on along it at last
-        return at.Cell[at.Axes[0]] + 1 < this->Cells[at.Axes[0]]
-                 ? within(
-                     tetWith(at.Axes[1], at.Turn) + TetsOfCell * this->cellStride(at.Axes[0]), 3)
-                 : this->outside(at, at.Axes[0], 1);
-      case 1:
-        return within(tetWith(at.Axes[1], 1 - at.Turn), 1);
-      case 2:
-        return within(tetWith(at.Axes[0], 1 - at.Turn), 2);
-      default: // beyond the lower side of the last axis
-        return at.Cell[at.Axes[2]] > 0
-                 ? within(
-                     tetWith(at.Axes[2], at.Turn) - TetsOfCell * this->cellStride(at.Axes[2]), 0)
-                 : this->outside(at, at.Axes[2], 0);
-    }
+    HalfFace at = this->halfFaceOf(halfFace);
+    return this->goOn(at) ? this->numberOf(at)
+                          : LinkOutside + this->BoundaryOrder[this->numberOnSide(at)];
   }
-
   /** For each half-face on a side of the grid its number; the index of its boundary face follows
    * from order(). */
   Id boundaryNumber(std::size_t halfFace) const
   {
-    const Place at = this->placeOf(halfFace / 4);
-    return halfFace % 4 == 0 ? this->numberOnSide(at, at.Axes[0], 1)
-                             : this->numberOnSide(at, at.Axes[2], 0);
+    HalfFace at = this->halfFaceOf(halfFace);
+    this->goOn(at);
+    return this->numberOnSide(at);
   }
-  /** The half-face of each number. */
-  Id boundaryHalfFace(Id number) const
-  {
-    const auto side =
-      static_cast<int>(std::upper_bound(this->FirstFaces.begin(), this->FirstFaces.end(), number) -
-                       this->FirstFaces.begin() - 1);
-    const int axis = side / 2, upper = side % 2;
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const Id rest = number - this->FirstFaces[side];
-    std::array<Id, 3> cell{};
-    cell[axis] = upper ? this->Cells[axis] - 1 : 0;
-    cell[u] = rest / 2 % this->Cells[u];
-    cell[v] = rest / 2 / this->Cells[u];
-    const int turn = static_cast<int>(rest % 2);
-    // Of the path that begins along the axis, or ends along it.
-    const int first = upper ? axis : (axis + 1 + turn) % 3;
-    const Id tet =
-      TetsOfCell * (cell[0] + this->cellStride(1) * cell[1] + this->cellStride(2) * cell[2]) +
-      static_cast<Id>(2 * first + turn);
-    return 4 * tet + (upper ? 0 : 3);
-  }
-  /** The boundary face of each number; 0, 1, ... at first. */
+  /** The half-face of each number whose triangle is not degenerate. */
+  Id boundaryHalfFace(Id number) const;
+  /** The boundary face of each number, or NoFace. */
   const std::vector<Id>& order() const { return this->BoundaryOrder; }
   void setOrder(std::vector<Id> order) { this->BoundaryOrder = std::move(order); }
 
@@ -148,37 +122,59 @@ private:
     std::array<int, 3> Axes; // of the path
     int Turn;                // s above
   };
+  /** That opposite vertex Opposite of the path. */
+  struct HalfFace
+  {
+    Place Of;
+    int Opposite;
+  };
 
   Place placeOf(std::size_t tet) const
   {
     const std::size_t cell = tet / TetsOfCell;
     const auto path = static_cast<int>(tet % TetsOfCell);
     const std::size_t row = cell / this->Cells[0];
-    const int first = path / 2, turn = path % 2;
+    return placeAlong(
+      { { static_cast<Id>(cell % this->Cells[0]), static_cast<Id>(row % this->Cells[1]),
+        static_cast<Id>(row / this->Cells[1]) } },
+      path / 2, path % 2);
+  }
+  static Place placeAlong(const std::array<Id, 3>& cell, int first, int turn)
+  {
     const int second = (first + 1 + turn) % 3;
-    return { { { static_cast<Id>(cell % this->Cells[0]), static_cast<Id>(row % this->Cells[1]),
-               static_cast<Id>(row / this->Cells[1]) } },
-      { { first, second, 3 - first - second } }, turn };
+    return { cell, { { first, second, 3 - first - second } }, turn };
   }
 
-  Id cellStride(int axis) const
+  /** The vertices along the path. */
+  std::array<Id, 4> path(const Place& at) const
   {
-    return axis == 0 ? 1 : (axis == 1 ? this->Cells[0] : this->Cells[0] * this->Cells[1]);
+    std::array<Id, 4> vertices{};
+    const std::array<Id, 3> strides = this->pointStrides();
+    vertices[0] = at.Cell[0] + strides[1] * at.Cell[1] + strides[2] * at.Cell[2];
+    for (int step = 0; step < 3; ++step)
+    {
+      vertices[step + 1] = vertices[step] + strides[at.Axes[step]];
+    }
+    return this->IsJoined ? this->joinedPath(at) : vertices;
   }
+  std::array<Id, 4> joinedPath(const Place& at) const;
+  /** The first step of the path that leads from a vertex to itself; -1: none. */
+  int flatStep(const Place& at) const;
+
+  HalfFace halfFaceOf(std::size_t halfFace) const;
+  Id numberOf(const HalfFace& at) const;
+  /** To the half-face on the other side; false if that is outside of the grid. */
+  bool step(HalfFace& at) const;
+  /** Likewise, on through degenerate tetrahedra: to the one before the side if that is outside. */
+  bool goOn(HalfFace& at) const;
+
   Id sideCells(int axis) const { return this->Cells[(axis + 1) % 3] * this->Cells[(axis + 2) % 3]; }
-
-  Id numberOnSide(const Place& at, int axis, int upper) const
-  {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    return this->FirstFaces[2 * axis + upper] + 2 * (at.Cell[u] + this->Cells[u] * at.Cell[v]) +
-           static_cast<Id>(at.Turn);
-  }
-  Id outside(const Place& at, int axis, int upper) const
-  {
-    return LinkOutside + this->BoundaryOrder[this->numberOnSide(at, axis, upper)];
-  }
+  Id numberOnSide(const HalfFace& at) const;
+  HalfFace onSide(Id number) const;
 
   std::array<Id, 3> Cells{};
+  JoinedSides Joins;
+  bool IsJoined = false;
   std::array<Id, 7> FirstFaces{};
   std::vector<Id> BoundaryOrder;
 };

@@ -5,6 +5,7 @@
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/Convexity.h"
 #include "Mesh/CurvilinearHand.h"
+#include "Mesh/JoinedSides.h"
 #include "Mesh/Orientation.h"
 #include "Mesh/SharedVertices.h"
 #include "Mesh/VertexPlaces.h"
@@ -17,6 +18,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace tetmarch
@@ -24,19 +26,18 @@ namespace tetmarch
 namespace
 {
 
-// The sign of the volume of the tetrahedron in a grid whose axes are right-handed, or its opposite
-// in others.
-int orderSign(std::size_t tet) { return tet % 2 == 0 ? 1 : -1; }
-
-// The triangles of the six sides, in the order of their numbers.
+// The triangles of the sides, in the order of their numbers.
 void findBoundary(int hand, TetMesh& mesh)
 {
   const CurvilinearCells& cells = *mesh.Curvilinear;
-  mesh.BoundaryFaces.reserve(cells.numberOfBoundaryFaces());
-  for (Id number = 0; number < cells.numberOfBoundaryFaces(); ++number)
+  mesh.BoundaryFaces.reserve(cells.order().size());
+  for (Id number = 0; number < cells.order().size(); ++number)
   {
-    const Id halfFace = cells.boundaryHalfFace(number);
-    mesh.BoundaryFaces.push_back(outwardFace(mesh, halfFace, hand * orderSign(halfFace / 4)));
+    if (cells.order()[number] != CurvilinearCells::NoFace)
+    {
+      const Id halfFace = cells.boundaryHalfFace(number);
+      mesh.BoundaryFaces.push_back(outwardFace(mesh, halfFace, hand * cells.sign(halfFace / 4)));
+    }
   }
 }
 
@@ -51,10 +52,36 @@ bool hasCoincidentVertices(const TetMesh& mesh)
            [&place](Id a, Id b) { return place(a) == place(b); }) != vertices.end();
 }
 
+// The vertex of each point, if some points share theirs.
+std::vector<Id> verticesOfPoints(const CurvilinearCells& cells)
+{
+  std::vector<Id> vertices(cells.numberOfPoints());
+  std::iota(vertices.begin(), vertices.end(), Id(0));
+  const std::array<Id, 3>& count = cells.cells();
+  const std::array<Id, 3> strides = cells.pointStrides();
+  for (int a = 0; a < 3; ++a)
+  {
+    const int u = (a + 1) % 3, v = (a + 2) % 3;
+    std::array<Id, 3> p{};
+    for (p[u] = 0; p[u] <= count[u]; ++p[u])
+    {
+      for (p[v] = 0; p[v] <= count[v]; ++p[v])
+      {
+        for (const Id end : { Id(0), count[a] })
+        {
+          p[a] = end;
+          vertices[p[0] + strides[1] * p[1] + strides[2] * p[2]] = cells.vertexAt(p);
+        }
+      }
+    }
+  }
+  return vertices;
+}
+
 } // namespace
 
-BuildStatus buildCurvilinearMesh(
-  vtkStructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error)
+BuildStatus buildCurvilinearMesh(vtkStructuredGrid* grid, const Progress& progress, bool joinsSides,
+  TetMesh& mesh, std::string& error)
 {
   mesh = {};
   if (static_cast<std::uint64_t>(grid->GetNumberOfCells()) > MostCurvilinearCells)
@@ -67,14 +94,20 @@ BuildStatus buildCurvilinearMesh(
   }
   int points[3];
   grid->GetDimensions(points);
-  mesh.computeCells(CurvilinearCells(
-    std::array<Id, 3>{ { Id(points[0] - 1), Id(points[1] - 1), Id(points[2] - 1) } }));
+  const std::array<Id, 3> count{ { Id(points[0] - 1), Id(points[1] - 1), Id(points[2] - 1) } };
+  mesh.computeCells(CurvilinearCells(count));
   mesh.NumberOfPoints = grid->GetNumberOfPoints();
   mesh.HasCutCells = true;
   error = placeVertices(positionsOf(grid->GetPoints(), mesh), mesh);
   if (!error.empty())
   {
     return BuildStatus::Failed;
+  }
+  const JoinedSides joins = joinsSides ? joinedSides(mesh) : JoinedSides();
+  if (joins.any())
+  {
+    mesh.computeCells(CurvilinearCells(count, joins));
+    mesh.FirstPoints = verticesOfPoints(*mesh.Curvilinear);
   }
   bool unfinished = false;
   const int hand = handOf(mesh, subProgress(progress, 0.1, 0.8), unfinished);

@@ -19,11 +19,11 @@ constexpr std::uint64_t MostCurvilinearCells = MostTetsOfLinks / CurvilinearCell
 /**
  * Build the mesh of a valid grid (checkData) with cells along each axis. Without a stop or an error
  * the mesh is empty if such a grid needs stored cells: some tetrahedron is flat or turned inside
- * out, as in strongly warped hexahedra and at the poles of a sphere, or points of the boundary
- * coincide, as at the seam of a ring.
+ * out, as in strongly warped hexahedra, or points of the boundary coincide. joinsSides: where a
+ * ring closes and at poles they may (Mesh/JoinedSides.h).
  */
-BuildStatus buildCurvilinearMesh(
-  vtkStructuredGrid* grid, const Progress& progress, TetMesh& mesh, std::string& error);
+BuildStatus buildCurvilinearMesh(vtkStructuredGrid* grid, const Progress& progress, bool joinsSides,
+  TetMesh& mesh, std::string& error);
 
 /** The hexahedra of the grid. Cells and points keep their numbers. */
 vtkSmartPointer<vtkUnstructuredGrid> hexahedraOf(vtkStructuredGrid* grid);

@@ -99,7 +99,7 @@ void linkBoundary(TetMesh& mesh)
   if (mesh.Curvilinear)
   {
     CurvilinearCells cells = *mesh.Curvilinear;
-    std::vector<Id> order(faces.size());
+    std::vector<Id> order = cells.order();
     for (std::size_t b = 0; b < faces.size(); ++b)
     {
       order[cells.boundaryNumber(faces[b][3])] = static_cast<Id>(b);

@@ -137,7 +137,8 @@ private:
       this->first(i) = storedScalar(values[i], this->Made.Range);
     }
     const std::vector<float> ofPoints = this->findJumps(repeated, this->Made.Range);
-    if (this->Made.Jump && this->Drawn.Extra.empty() && !this->Mesh.PointsAreSeparate)
+    if (this->Made.Jump && this->Drawn.Extra.empty() && !this->Mesh.PointsAreSeparate &&
+        !this->Mesh.Curvilinear)
     {
       this->Made.OfCorners = cornerScalars(this->Grid, this->Mesh, ofPoints);
     }

@@ -26,6 +26,7 @@ Fingerprint attemptOf(vtkPointSet* grid, const ResourceLimits& limits, const Pie
   attempt.push_back(limits.TexelsPerBuffer);
   attempt.push_back(limits.Bytes);
   attempt.push_back(piece.SeparatePoints ? 1 : 0);
+  attempt.push_back(piece.SeparateSides ? 1 : 0);
   if (piece.ByCoordinates)
   {
     attempt.push_back(piece.IsPiece ? 1 : 0);
@@ -120,7 +121,8 @@ std::string MeshStage::make(vtkPointSet* grid, const ResourceLimits& limits,
 BuildStatus MeshStage::makeCurvilinear(vtkStructuredGrid* grid, const ResourceLimits& limits,
   const Progress& progress, const PieceOptions& piece, std::string& error)
 {
-  const BuildStatus status = buildCurvilinearMesh(grid, progress, this->Mesh, error);
+  const BuildStatus status =
+    buildCurvilinearMesh(grid, progress, !piece.SeparateSides, this->Mesh, error);
   if (status != BuildStatus::Done || !this->Mesh.Tets.empty())
   {
     return status;

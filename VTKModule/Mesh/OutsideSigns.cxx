@@ -54,6 +54,10 @@ private:
 
   bool agrees(Id tet) const
   {
+    if (this->Mesh.isDegenerate(tet))
+    {
+      return true;
+    }
     for (Id i = 0; i < 4; ++i)
     {
       const Id link = this->linkOf(tet, i);

@@ -19,6 +19,8 @@ struct PieceOptions
   bool ByCoordinates = false;
   /** Points with equal coordinates stay separate vertices, since their scalars differ. */
   bool SeparatePoints = false;
+  /** Likewise the points of sides of a curvilinear grid that meet (JoinedSides.h). */
+  bool SeparateSides = false;
   bool IsPiece = false; // the following members are used
   VolumeFrame Frame;    // of the whole
   bool InFloat = false; // points are rounded to float first, since some piece has floats
@@ -26,7 +28,8 @@ struct PieceOptions
   bool operator==(const PieceOptions& other) const
   {
     return this->ByCoordinates == other.ByCoordinates &&
-           this->SeparatePoints == other.SeparatePoints && this->IsPiece == other.IsPiece &&
+           this->SeparatePoints == other.SeparatePoints &&
+           this->SeparateSides == other.SeparateSides && this->IsPiece == other.IsPiece &&
            this->Frame == other.Frame && this->InFloat == other.InFloat;
   }
 };

@@ -91,6 +91,11 @@ struct TetMesh
     this->VertexPoints.compute(this->Curvilinear);
   }
   Id numberOfTets() const { return static_cast<Id>(this->Tets.size()); }
+  /** A tetrahedron that no ray crosses, at a pole of a curvilinear grid. */
+  bool isDegenerate(std::size_t tet) const
+  {
+    return this->Curvilinear && this->Curvilinear->isDegenerate(tet);
+  }
   bool hasHierarchy() const { return !this->Hierarchy.empty(); }
 };
 

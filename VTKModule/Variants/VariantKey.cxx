@@ -88,8 +88,8 @@ VariantKey VariantKey::filtered() const
   key.SeveralShadows = key.SeveralShadows && key.CastShadows && !key.SingleLight;
   key.LightTolerance = key.LightTolerance && key.Shading && !key.PointSampled;
   key.Occlusion = key.Occlusion && key.Shading;
-  key.SampledShadows =
-    key.SampledShadows && (key.CastShadows || (key.Occlusion && key.LightTolerance));
+  key.SampledShadows = (key.SampledShadows && key.CastShadows) ||
+                       (key.LightTolerance && (key.CastShadows || key.Occlusion));
   key.CurvedError = key.CurvedError && key.Diagnostics && key.isComposite() && !key.Structured &&
                     !key.Curvilinear && !key.hasComponents();
   // With several scalars, or if the whole ray counts, every cell may be visible; and that in the
@@ -112,6 +112,7 @@ VariantKey VariantKey::filtered() const
     key.CornerScalars && key.PointScalars && !key.Structured && !key.hasComponents();
   // Computed tetrahedra need no buffer, and share their vertices.
   key.SplitCells = key.SplitCells && !key.Curvilinear;
+  key.JoinedSides = key.JoinedSides && key.Curvilinear;
   key.CornerScalars = key.CornerScalars && !key.Curvilinear;
   key.CellGradients =
     (key.CellGradients || key.CornerScalars) && key.PointScalars && key.hasGradients();
@@ -131,6 +132,7 @@ void VariantKey::dropWhatLatticesLack()
     this->HasFma = false;
     this->SplitCells = false;
     this->Curvilinear = false;
+    this->JoinedSides = false;
   }
   this->Rectilinear = this->Rectilinear && this->Structured;
   this->Octree = this->Octree && this->Structured && !this->PointScalars;
@@ -202,6 +204,7 @@ VariantKey VariantKey::ofVertexLight(bool reenters) const
   key.Leaps = this->Leaps;
   key.SplitCells = this->SplitCells;
   key.Curvilinear = this->Curvilinear;
+  key.JoinedSides = this->JoinedSides;
   key.CornerScalars = this->CornerScalars;
   key.PointScalars = this->PointScalars;
   key.HasFma = this->HasFma;
@@ -228,6 +231,7 @@ VariantKey VariantKey::ofPick() const
   key.VisiblePart = this->VisiblePart && !(this->SplitCells && this->CornerScalars);
   key.SplitCells = this->SplitCells;
   key.Curvilinear = this->Curvilinear;
+  key.JoinedSides = this->JoinedSides;
   key.CornerScalars = this->CornerScalars;
   key.PointScalars = this->PointScalars;
   // If the scalar is linear, the optical depth of a segment is exact.

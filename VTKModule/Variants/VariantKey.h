@@ -87,6 +87,7 @@ struct VariantKey
   bool SplitCells = false;  // tetrahedra are in two texture buffers
   bool CurvedError = false; // the error bound includes the shape of curved cells that were cut
   bool Curvilinear = false; // tetrahedra and links are computed from i, j, k
+  bool JoinedSides = false; // points of them coincide: where a ring closes, and at poles
   /** Each corner of a tetrahedron has its own scalar: those of neighbours may differ. */
   bool CornerScalars = false;
 
@@ -157,7 +158,7 @@ struct VariantKey
      * value. */
     void set(VariantKey& key, bool on) const;
   };
-  static constexpr int NumberOfFeatures = 51;
+  static constexpr int NumberOfFeatures = 52;
   static const std::array<Feature, NumberOfFeatures>& features();
   /** The bits of all features that are on. */
   std::uint64_t bits() const;

@@ -22,6 +22,7 @@ std::string TetVolume::updateGeometry(
   this->Limits = limits;
   PieceOptions piece = input.Piece;
   piece.SeparatePoints = this->SeparatePoints;
+  piece.SeparateSides = !this->SidesApart.empty();
   if (!this->Meshed.isCurrent(grid, piece))
   {
     this->ScalarsInput.clear();
@@ -50,17 +51,33 @@ std::vector<FiniteRange> TetVolume::rangesOf(vtkDataSet* grid, const DrawnScalar
 
 std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalars& drawn)
 {
-  std::string error = this->readScalars(input, drawn);
+  const bool wereApart = !this->SidesApart.empty() && this->SidesApart != versionOf(drawn);
+  if (wereApart)
+  {
+    this->SidesApart.clear();
+  }
+  std::string error =
+    wereApart ? this->prepareAgain(input, drawn) : this->readScalars(input, drawn);
+  if (error.empty() && this->Scalars.Jump && this->mesh().Curvilinear)
+  {
+    this->SidesApart = versionOf(drawn);
+    error = this->prepareAgain(input, drawn);
+  }
   const bool separate =
     this->Scalars.Jump && (!input.TakesCorners || this->Scalars.Extra.count() > 0);
   if (error.empty() && separate != this->SeparatePoints)
   {
     this->SeparatePoints = separate;
-    error = this->updateGeometry(input, this->Limits, {});
+    error = this->prepareAgain(input, drawn);
     this->SeparatePoints = separate && error.empty(); // else another array would not be tried
-    error = error.empty() ? this->readScalars(input, drawn) : error;
   }
   return error;
+}
+
+std::string TetVolume::prepareAgain(const VolumeInput& input, const DrawnScalars& drawn)
+{
+  const std::string error = this->updateGeometry(input, this->Limits, {});
+  return error.empty() ? this->readScalars(input, drawn) : error;
 }
 
 std::string TetVolume::readScalars(const VolumeInput& input, const DrawnScalars& drawn)
@@ -157,6 +174,7 @@ void TetVolume::setBits(VariantKey& key) const
   key.PointScalars = this->Scalars.OfCells.empty();
   key.CornerScalars = !this->Scalars.OfCorners.empty();
   key.Curvilinear = this->mesh().Curvilinear != nullptr;
+  key.JoinedSides = key.Curvilinear && this->mesh().Curvilinear->joins().any();
   key.Hierarchy = this->mayReenter();
   key.Reentered = this->mayReenter();
   key.HiddenCells = !this->hiddenCells().empty();

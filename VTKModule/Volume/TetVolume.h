@@ -101,10 +101,12 @@ public:
 
 private:
   std::string readScalars(const VolumeInput& input, const DrawnScalars& drawn);
+  std::string prepareAgain(const VolumeInput& input, const DrawnScalars& drawn);
 
   ResourceLimits Limits;
   MeshStage Meshed;
   bool SeparatePoints = false;
+  Fingerprint SidesApart; // the scalars that jump where sides of a curvilinear grid meet
   HiddenCellStage Hidden;
   Fingerprint RangesInput;
   std::vector<FiniteRange> Ranges;
