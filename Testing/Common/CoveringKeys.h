@@ -21,6 +21,53 @@
 
 namespace tetmarch::testing
 {
+inline std::uint64_t bitsInOrder(const VariantKey& key)
+{
+  std::uint64_t bits = 0;
+  for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
+  {
+    bits |= std::uint64_t(VariantKey::features()[i].isOn(key) ? 1 : 0) << i;
+  }
+  return bits;
+}
+
+/// Which settings of any two features there are among keys.
+class Twos
+{
+public:
+  /// How many of the key's are not among them.
+  int numberOfNew(const VariantKey& key) const
+  {
+    const std::uint64_t bits = bitsInOrder(key);
+    int found = 0;
+    for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
+    {
+      const std::size_t state = 2 * i + (bits >> i & 1);
+      found += static_cast<int>(std::bitset<64>(bits & ~this->On[state]).count() +
+                                std::bitset<64>(~bits & ~this->Off[state]).count());
+    }
+    return found;
+  }
+  void add(const VariantKey& key)
+  {
+    const std::uint64_t bits = bitsInOrder(key);
+    for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
+    {
+      const std::size_t state = 2 * i + (bits >> i & 1);
+      this->On[state] |= bits;
+      this->Off[state] |= ~bits;
+    }
+  }
+  bool operator==(const Twos& other) const
+  {
+    return this->On == other.On && this->Off == other.Off;
+  }
+
+private:
+  std::array<std::uint64_t, std::size_t(2)* VariantKey::NumberOfFeatures> On = {};
+  std::array<std::uint64_t, std::size_t(2)* VariantKey::NumberOfFeatures> Off = {};
+};
+
 /// Which settings of any three features there are among keys.
 class Threes
 {
@@ -57,11 +104,7 @@ private:
   template <typename Function>
   static void forEachPair(const VariantKey& key, const Function& call)
   {
-    std::uint64_t bits = 0;
-    for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
-    {
-      bits |= std::uint64_t(VariantKey::features()[i].isOn(key) ? 1 : 0) << i;
-    }
+    const std::uint64_t bits = bitsInOrder(key);
     std::size_t pair = 0;
     for (int a = 0; a < VariantKey::NumberOfFeatures; ++a)
     {
@@ -78,9 +121,10 @@ private:
   std::array<std::uint64_t, NumberOfPairs> Off = {};
 };
 
-/// Those that bring most first, not among all of them, and in the end whatever brings anything. The
-/// same at each call.
-inline std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
+/// Those that bring most Settings first, not among all of them, and in the end whatever brings any.
+/// The same at each call.
+template <typename Settings = Threes>
+std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
 {
   std::mt19937 random(1);
   for (std::size_t i = legal.size(); i > 1; --i)
@@ -88,7 +132,7 @@ inline std::vector<VariantKey> coveringKeys(std::vector<VariantKey> legal)
     std::swap(legal[i - 1], legal[random() % i]);
   }
   std::vector<VariantKey> chosen;
-  Threes covered;
+  Settings covered;
   constexpr std::size_t few = 1000;
   for (int least = 4096; least > 0; least /= 2)
   {

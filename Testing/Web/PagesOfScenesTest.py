@@ -35,7 +35,7 @@ SCENES = {
     "Light": ("LightParity/Lattice.BehindTransparentCells:LightParity/Mesh.EachKindOfScalars:"
               "OpaqueShadowPicture.OfABallInside:OpaqueShadowPicture.KeepAToleranceInAnImage:"
               "*LightThroughCuts*AtVertices", 21),
-    "Grids": ("Curvilinear.BlankedCellsAndChanges:Leaves.LightIsThatOfTheGroundTruth", 2),
+    "Grids": ("Curvilinear.BlankedCellsAndChanges:Curvilinear.ValuesJumpAtASeam:Leaves.LightIsThatOfTheGroundTruth", 3),
     "Slabs": ("Slabs.LightOfAllKinds:Slabs.BlendModesAndSamples", 14),
     "Structured": ("StructuredLight.ShadowsAlongRays", 3),
     "Kernel": ("", 0), "Component": ("", 0), "Sampled": ("", 0),
