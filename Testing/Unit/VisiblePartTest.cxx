@@ -4,12 +4,16 @@
 #include "Entries/VisiblePartFinder.h"
 
 #include "Entries/EntryLists.h"
+#include "Mesh/CurvilinearMesh.h"
 #include "Mesh/TetMeshBuilder.h"
 #include "Reference/PartKernel.h"
 #include "Reference/PointKernel.h"
 
+#include "CurvilinearGrids.h"
 #include "RandomRays.h"
 #include "UnitMeshes.h"
+
+#include "vtkStructuredGrid.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -70,6 +74,35 @@ EntryLists allOf(const VisiblePart& part)
     lists.Candidates.push_back({ static_cast<std::uint32_t>(face), 0xf0f0u });
   }
   return lists;
+}
+
+// Rays pass through tetrahedra without volume at poles, whatever is seen; none enters there.
+TEST(VisiblePart, LetsRaysThroughPoles)
+{
+  const Movement ofAxis = [](const std::array<double, 3>& p) {
+    return std::array<double, 3>{ p[0] * std::cos(5 * p[1]), p[0] * std::sin(5 * p[1]), p[2] };
+  };
+  TetMesh mesh;
+  std::string error;
+  buildCurvilinearMesh(curvilinearGrid({ 4, 9, 5 }, ofAxis), {}, true, mesh, error);
+  ASSERT_TRUE(mesh.Curvilinear);
+  for (Vertex& v : mesh.Vertices)
+  {
+    v.Scalar = v.Z > 0 ? 0.9f : 0.1f;
+  }
+  const VisiblePart part = Part(mesh, highTable()).Found;
+  EXPECT_FALSE(part.Faces.empty());
+  int degenerate = 0;
+  for (Id tet = 0; tet < mesh.numberOfTets(); ++tet)
+  {
+    degenerate += mesh.isDegenerate(tet) ? 1 : 0;
+    EXPECT_TRUE(!mesh.isDegenerate(tet) || bitOf(part.Tets, tet)) << tet;
+  }
+  EXPECT_EQ(degenerate, 9 * 5 * 3);
+  for (const std::array<Id, 4>& face : part.Faces)
+  {
+    EXPECT_FALSE(mesh.isDegenerate(face[3] / 4));
+  }
 }
 
 // Tetrahedra by what their vertices show, and all faces between them and others.

@@ -62,6 +62,7 @@ std::string TetVolume::updateScalars(const VolumeInput& input, const DrawnScalar
   {
     this->SidesApart = versionOf(drawn);
     error = this->prepareAgain(input, drawn);
+    this->SidesApart = error.empty() ? this->SidesApart : Fingerprint();
   }
   const bool separate =
     this->Scalars.Jump && (!input.TakesCorners || this->Scalars.Extra.count() > 0);
