@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A curvilinear grid beside other ways to draw it: measure_grids.py FOLDER [--cubes N ...] [--size WxH] [--frames N]
 
-Draws a bent box of N x N x N hexahedra by turns: with computed cells, as an unstructured grid, as tetrahedra by
-vtkProjectedTetrahedraMapper, and resampled to 128^3 points, as ParaView does. It writes FOLDER/grids.md: seconds to
-prepare and of a frame, bytes of the mapper on the GPU, and the difference from the picture of stored cells.
+Draws a bent box, and a spherical shell with both poles, of N x N x N hexahedra by turns: with computed cells, as an
+unstructured grid, as tetrahedra by vtkProjectedTetrahedraMapper, and resampled to 128^3 points, as ParaView does. It
+writes FOLDER/grids.md: seconds to prepare and of a frame, bytes of the mapper on the GPU, and the difference from the
+picture of stored cells.
 """
 import time
 
@@ -19,9 +20,21 @@ from vtktetmarch import vtkTetMarchVolumeMapper
 RESAMPLED = 128
 
 
-def bent_box(cubes):
-    x, y, z = grids.lattice_points(cubes, 0.0, 1).T
-    places = np.stack([x + 0.1 * np.sin(5 * y), y + 0.1 * z * z, z], axis=1)
+def bent_box(x, y, z):
+    return x + 0.1 * np.sin(5 * y), y + 0.1 * z * z, z
+
+
+def shell(x, y, z):
+    radius, longitude, colatitude = 0.3 + 0.3 * x, 2 * np.pi * y, np.pi * z
+    ring = radius * np.sin(colatitude)
+    return ring * np.cos(longitude), ring * np.sin(longitude), radius * np.cos(colatitude)
+
+
+SHAPES = {"box": bent_box, "shell": shell}
+
+
+def curvilinear(shape, cubes):
+    places = np.stack(shape(*grids.lattice_points(cubes, 0.0, 1).T), axis=1)
     grid = grids.curvilinear(places, cubes)
     grids.add_array(grid.GetPointData(), "waves", grids.waves(places, 2.5))
     grid.GetPointData().SetActiveScalars("waves")
@@ -83,8 +96,8 @@ class GridFrames(Frames):
         self.prepared = self.converted + self.seconds(0)
 
 
-def measure(cubes, size, rounds):
-    grid = bent_box(cubes)
+def measure(shape, cubes, size, rounds):
+    grid = curvilinear(SHAPES[shape], cubes)
     frames = {name: GridFrames(grid, make, size) for name, make in WAYS.items()}
     medians = median_seconds(frames, rounds)
     reference = picture_of(frames["TetMarch, stored cells"].window)
@@ -94,7 +107,7 @@ def measure(cubes, size, rounds):
         ours = isinstance(mapper, vtkTetMarchVolumeMapper)
         memory = mapper.GetLastFrameStatistics().GetGPUMemoryBytes() / cubes**3 if ours else None
         difference = np.sqrt(((picture_of(each.window) - reference)**2).mean())
-        text += row([f"{cubes}^3", name, f"{each.prepared:.2f}", f"{medians[name]:.4f}",
+        text += row([f"{shape}, {cubes}^3", name, f"{each.prepared:.2f}", f"{medians[name]:.4f}",
                      f"{medians[name] / medians['TetMarch, computed cells']:.2f}",
                      f"{memory:.1f}" if ours else "", f"{difference:.1e}"])
     return text
@@ -104,8 +117,9 @@ def main():
     options = grid_options(__doc__, "--cubes", [30, 60, 120], nargs="+")
     text = row(["hexahedra", "drawn by", "first frame, s", "frame, s", "relative", "bytes a hexahedron", "RMS"])
     text += "|---|---|" + "---:|" * 5 + "\n"
-    for cubes in options.cubes:
-        text += measure(cubes, options.size, options.frames)
+    for shape in SHAPES:
+        for cubes in options.cubes:
+            text += measure(shape, cubes, options.size, options.frames)
     (options.folder / "grids.md").write_text(text)
     print(text)
 
