@@ -27,8 +27,7 @@ Vec3 turned(double radius, double turns, double z)
 Vec3 onSphere(double radius, double turns, double share)
 {
   const double angle = vtkMath::Pi() * share;
-  return turned(
-    share < 1 ? radius * std::sin(angle) : 0.0, turns, 0.5 - radius * std::cos(angle));
+  return turned(share < 1 ? radius * std::sin(angle) : 0.0, turns, 0.5 - radius * std::cos(angle));
 }
 
 Vec3 onTorus(double radius, double turns, double aroundTube)
