@@ -21,16 +21,6 @@
 
 namespace tetmarch::testing
 {
-inline std::uint64_t bitsInOrder(const VariantKey& key)
-{
-  std::uint64_t bits = 0;
-  for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
-  {
-    bits |= std::uint64_t(VariantKey::features()[i].isOn(key) ? 1 : 0) << i;
-  }
-  return bits;
-}
-
 /// Which settings of any two features there are among keys.
 class Twos
 {
@@ -38,7 +28,7 @@ public:
   /// How many of the key's are not among them.
   int numberOfNew(const VariantKey& key) const
   {
-    const std::uint64_t bits = bitsInOrder(key);
+    const std::uint64_t bits = key.bits();
     int found = 0;
     for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
     {
@@ -50,7 +40,7 @@ public:
   }
   void add(const VariantKey& key)
   {
-    const std::uint64_t bits = bitsInOrder(key);
+    const std::uint64_t bits = key.bits();
     for (int i = 0; i < VariantKey::NumberOfFeatures; ++i)
     {
       const std::size_t state = 2 * i + (bits >> i & 1);
@@ -104,7 +94,7 @@ private:
   template <typename Function>
   static void forEachPair(const VariantKey& key, const Function& call)
   {
-    const std::uint64_t bits = bitsInOrder(key);
+    const std::uint64_t bits = key.bits();
     std::size_t pair = 0;
     for (int a = 0; a < VariantKey::NumberOfFeatures; ++a)
     {

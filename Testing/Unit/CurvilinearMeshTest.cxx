@@ -41,8 +41,8 @@ TetMesh computed(vtkStructuredGrid* grid)
 
 using Points = std::vector<Id>; // ascending
 
-// Each tetrahedron, or each boundary face, by its points of the grid; with its cell behind, or the
-// hexahedron of which it is one of six.
+// Each tetrahedron by its points of the grid, which ascend. The last number is that of its cell or,
+// if the cells are tetrahedra of hexahedra, of its hexahedron.
 std::set<Points> tetsOf(const TetMesh& mesh, Id tetsOfCell = 1)
 {
   std::set<Points> tets;
@@ -108,7 +108,7 @@ TEST(CurvilinearMesh, IsThatOfItsHexahedra)
         continue;
       }
       EXPECT_EQ(mesh.Curvilinear->joins().any(), movement.Joined);
-      // Hexahedra of which points coincide are cut otherwise.
+      // A stored hexahedron is cut along other diagonals if points of it coincide.
       const TetMesh stored =
         built(movement.Joined ? inTetrahedra(withStoredCells(grid)) : hexahedraOf(grid));
       expectConventions(mesh);

@@ -33,8 +33,8 @@ CurvilinearCells::CurvilinearCells(const std::array<Id, 3>& cells, const JoinedS
   {
     const HalfFace at = this->onSide(number);
     const std::array<Id, 4> path = this->path(at.Of);
-    const bool isFlat = at.Opposite == 0 ? path[1] == path[2] || path[2] == path[3]
-                                         : path[0] == path[1] || path[1] == path[2];
+    const auto begin = path.begin() + (at.Opposite == 0 ? 1 : 0);
+    const bool isFlat = std::adjacent_find(begin, begin + 3) != begin + 3;
     this->BoundaryOrder[number] = isFlat ? NoFace : faces++;
   }
 }
