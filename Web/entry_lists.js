@@ -10,6 +10,7 @@ const MOST_TILES = 1 << 20;
 const MOST_CANDIDATES = 1 << 22;
 const MOST_CANDIDATES_OF_ALL = 1 << 24; // what the GPU has room for
 const MOST_SHIFT_OF_PIXELS = 4;         // larger tiles have a resolution of a 16th of their edge
+const MOST_PIXELS = 2 * 4 ** MOST_SHIFT_OF_PIXELS; // of a face, for its tile
 const MOST_SHIFT = 16;
 const DEPTHS = 1 << 16;
 
@@ -61,7 +62,8 @@ function chosenShift(footprints, [width, height])
   {
     if (!footprints.isEmpty(f))
     {
-      pixels += (right[f] - left[f] + 1) * (top[f] - bottom[f] + 1);
+      const covered = (right[f] - left[f] + 1) * (top[f] - bottom[f] + 1);
+      pixels += Math.min(covered, MOST_PIXELS);
       ++faces;
     }
   }

@@ -25,8 +25,8 @@ function fittedDepths(toClip, halfExtent)
     return [...m.slice(0, 8), z[0] * scale, z[1] * scale, z[2] * scale, 0, ...w];
   }
   const reach = reachOf(w, halfExtent);
-  const far = w[3] + MARGIN * reach;
-  const near = Math.max(w[3] - MARGIN * reach, 0.5 * (w[3] - reach));
+  const far = Math.max(w[3] + MARGIN * reach, 1e-3 * reach);
+  const near = Math.max(w[3] - MARGIN * reach, 0.5 * (w[3] - reach), 1e-3 * far);
   const depths = w.map((x) => x * (far + near) / (far - near));
   depths[3] -= 2 * far * near / (far - near);
   return [...m.slice(0, 8), ...depths, ...w];
@@ -42,17 +42,22 @@ function rayPoints(view, halfExtent)
 {
   const [x, y, z, w] = view.eye;
   const distance = Math.hypot(x, y, z);
-  if (view.cutsNearPlane)
-  {
-    return pointsAtDepth(-1, view.clipToNormalized);
-  }
   if (w * 2 > distance)
   {
-    return pointsAtDepth(-1, invert(fittedDepths(view.normalizedToClip, halfExtent)));
+    const depth = view.cutsNearPlane ? 1 : -1;
+    return pointsAtDepth(depth, invert(fittedDepths(view.normalizedToClip, halfExtent)));
   }
   const m = view.normalizedToClip.slice();
   m.splice(8, 4, x / distance, y / distance, z / distance, 0);
   return invert(m);
+}
+
+// At which rays begin: unit normal and offset; 0 if all of the volume is behind it.
+function nearPlane(view)
+{
+  const plane = [0, 1, 2, 3].map((i) => view.normalizedToClip[8 + i] + view.normalizedToClip[12 + i]);
+  const length = Math.hypot(plane[0], plane[1], plane[2]);
+  return plane.map((x) => view.cutsNearPlane ? x / length : 0);
 }
 
 function classify(toClip, halfExtent)
@@ -117,5 +122,5 @@ export function viewOf(camera, aspect, volume)
     mirrored: determinant3(toView) < 0,
     ...classify(normalizedToClip, halfExtent)
   };
-  return {...view, rayPoints: rayPoints(view, halfExtent)};
+  return {...view, rayPoints: rayPoints(view, halfExtent), nearPlane: nearPlane(view)};
 }

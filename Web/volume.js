@@ -209,7 +209,7 @@ export class Volume
       viewport: [0, 0, size[0], size[1]],
       eye: view.eye,
       rayPoints: transpose(view.rayPoints),
-      cutsNearPlane: [view.cutsNearPlane ? 1 : 0],
+      nearPlane: view.nearPlane,
       cutsFarPlane: [view.cutsFarPlane ? 1 : 0],
       clipToNormalized: transpose(view.clipToNormalized),
       depthsPerPixel,

@@ -4,8 +4,8 @@ uniform vec4 viewport;  // x, y, width, height in pixels
 uniform vec4 eye;       // (position, 1) or, for parallel projection, (direction towards it, 0)
 uniform mat4 rayPoints; // View/RayPoints.h
 
-#if !TETMARCH_ENTRY_LISTS
-uniform bool cutsNearPlane; // rays begin at the near plane
+#if !TETMARCH_ENTRY_LISTS || TETMARCH_VISIBLE_PART
+uniform vec4 nearPlane; // at which rays begin, or 0: View.h
 #endif
 #if TETMARCH_OPAQUE_DEPTH
 uniform sampler2D opaqueDepthTexture;
@@ -65,11 +65,10 @@ PixelRay pixelRay(vec2 center)
   ray.firstCandidate = candidates.x;
   ray.endOfCandidates = candidates.y;
   ray.pixelInTile = pixelInTile(pixel);
-#else
-  if (cutsNearPlane)
-  {
-    found.depthBegin = dot(point - ray.origin, ray.direction);
-  }
+#endif
+#if !TETMARCH_ENTRY_LISTS || TETMARCH_VISIBLE_PART
+  float perDepth = dot(nearPlane.xyz, ray.direction);
+  found.depthBegin = perDepth > 0.0 ? -(dot(nearPlane.xyz, ray.origin) + nearPlane.w) / perDepth : -NO_DEPTH;
 #endif
 #if TETMARCH_OPAQUE_DEPTH
   ivec2 depth = ivec2((vec2(pixel) + 0.5) * depthsPerPixel);

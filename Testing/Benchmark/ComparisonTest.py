@@ -104,7 +104,7 @@ class ComparisonTest(unittest.TestCase):
         self.assertRegex(text, r"golfball: [0-9.]+ s, the other build [0-9.]+ s; ratio of medians [0-9.]+, median of "
                                r"ratios of 2 pairs [0-9.]+")
         datasets = json.loads((self.folder / "times.json").read_text())["datasets"]
-        self.assertEqual([d["name"] for d in datasets], ["golfball", "golfball, lit"])
+        self.assertEqual([d["name"] for d in datasets], ["golfball", "golfball, lit", "golfball, from inside"])
         for dataset in datasets:
             self.assertGreater(dataset["against"]["pairs"], 0)
 

@@ -3,8 +3,9 @@
 """How long frames of one build take beside those of another: compare_times.py BUILD OTHER [OPTION]...
 
 Both are build folders with a Python package, so that all that they have to have in common is the public API. Each
-dataset is drawn without light and in the light of one light source with shadows. Both builds draw by turns, a frame each of the
-same view; each round has new processes, lest the luck of one count for all, and the other build begins.
+dataset is drawn without light, in the light of one light source with shadows, and from inside. Both builds draw by
+turns, a frame each of the same view; each round has new processes, lest the luck of one count for all, and the other
+build begins.
 """
 import argparse
 import contextlib
@@ -18,15 +19,15 @@ from build_folders import HERE, environment_of, run_again_with_display
 from option_types import positive
 
 DATASETS = ("golfball", "lattice1.3m", "holes")
-LIGHTS = ("off", "on")
+SCENES = {"plain": "", "lit": ", lit", "inside": ", from inside"}  # what is said of each
 GOAL = 0.01  # medians may be that far apart, as a share
 
 
 class Drawer:
     """The process of one build."""
 
-    def __init__(self, build, dataset, light, size):
-        self.process = subprocess.Popen([sys.executable, HERE / "time_frames.py", dataset, light, size],
+    def __init__(self, build, dataset, scene, size):
+        self.process = subprocess.Popen([sys.executable, HERE / "time_frames.py", dataset, scene, size],
                                         env=environment_of(build), text=True, stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE)
         self.answer()
@@ -46,14 +47,14 @@ class Drawer:
         self.process.wait()
 
 
-def measure(builds, dataset, light, arguments):
+def measure(builds, dataset, scene, arguments):
     """Seconds of each frame of each build, without the first of a process."""
     seconds = ([], [])
     for turn in range(arguments.rounds):
         with contextlib.ExitStack() as stack:
             drawers = []
             for build in builds:
-                drawers.append(Drawer(build, dataset, light, arguments.size))
+                drawers.append(Drawer(build, dataset, scene, arguments.size))
                 stack.callback(drawers[-1].end)
             order = (0, 1) if turn % 2 == 0 else (1, 0)
             for view in range(arguments.frames + 1):
@@ -64,11 +65,11 @@ def measure(builds, dataset, light, arguments):
     return seconds
 
 
-def summary(dataset, light, seconds):
+def summary(dataset, scene, seconds):
     medians = [statistics.median(s) for s in seconds]
     ratios = [ours / other for ours, other in zip(*seconds)]
     return {
-        "name": dataset + (", lit" if light == "on" else ""),
+        "name": dataset + SCENES[scene],
         "mappers": [{"name": name, "frames": {"median_seconds": median, "seconds": s}}
                     for name, median, s in zip(("tetmarch", "against"), medians, seconds)],
         "against": {"count": len(ratios), "pairs": statistics.median(ratios), "medians": medians[0] / medians[1]},
@@ -89,7 +90,7 @@ def main():
     for name in ("build", "other"):
         parser.add_argument(name, type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("--datasets", nargs="+", choices=DATASETS, default=DATASETS)
-    parser.add_argument("--light", nargs="+", choices=LIGHTS, default=LIGHTS)
+    parser.add_argument("--scenes", nargs="+", choices=SCENES, default=SCENES)
     parser.add_argument("--rounds", type=positive, default=6)
     parser.add_argument("--frames", type=positive, default=20, help="of each round, without the first")
     parser.add_argument("--size", default="512x512", metavar="WIDTHxHEIGHT")
@@ -98,9 +99,9 @@ def main():
     run_again_with_display()
     results = []
     for dataset in arguments.datasets:
-        for light in arguments.light:
-            seconds = measure((arguments.build, arguments.other), dataset, light, arguments)
-            results.append(summary(dataset, light, seconds))
+        for scene in arguments.scenes:
+            seconds = measure((arguments.build, arguments.other), dataset, scene, arguments)
+            results.append(summary(dataset, scene, seconds))
             print(line_of(results[-1]), flush=True)
     if arguments.output:
         arguments.output.write_text(json.dumps({"datasets": results}, indent=1))

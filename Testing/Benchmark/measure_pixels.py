@@ -56,7 +56,7 @@ class ScanFrames(Frames):
 
 def make_frames(scene, size):
     name, _, light = scene.partition(", ")
-    return ScanFrames(light == "lit", size) if name == "scan" else Frames(name, light == "lit", size)
+    return ScanFrames(light == "lit", size) if name == "scan" else Frames(name, "lit" if light == "lit" else "plain", size)
 
 
 def picture_of(window):

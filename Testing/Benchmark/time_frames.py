@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws frames of a dataset with the vtktetmarch that Python finds: time_frames.py DATASET off|on WIDTHxHEIGHT
+"""Draws frames of a dataset with the vtktetmarch that Python finds: time_frames.py DATASET plain|lit|inside WIDTHxHEIGHT
 
 compare_times.py runs this for each build. It prints "ready", then for each line of its input, the number of a view, the
-seconds that a frame of that view took. Light is that of one light source of the scene, with shadows at vertices.
+seconds that a frame of that view took. Light is that of one light source of the scene, with shadows at vertices. From
+inside, the camera stays and turns.
 """
 import json
 import pathlib
@@ -19,6 +20,7 @@ DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 # As of tetmarch-bench: oblique, so that no face of a lattice is seen edge on.
 VIEW_DIRECTION = (0.5, -1.0, 0.45)
 DEGREES_PER_VIEW = 7.0
+INSIDE = (0.43, 0.52, 0.47)  # as shares of the sides of the box
 TOWARDS_LIGHT = (0.4, -0.7, 0.6)
 DATASETS = ("golfball", "lattice1.3m", "holes")
 LATTICES = {"lattice1.3k": 6, "lattice162k": 30, "lattice1.3m": 60}  # cubes along an edge
@@ -64,7 +66,9 @@ def make_dataset(name):
 
 
 class Frames:
-    def __init__(self, dataset, lit, size):
+    turns_inside = False
+
+    def __init__(self, dataset, scene, size):
         grid, array, colors, opacities, unit_distance = make_dataset(dataset)
         mapper = vtkTetMarchVolumeMapper()
         mapper.SetInputData(grid)
@@ -78,9 +82,11 @@ class Frames:
         self.camera.SetViewUp(0, 0, 1)
         self.renderer.ResetCamera()
         self.first_position = self.camera.GetPosition()
-        if lit:
+        if scene == "lit":
             self.add_light(grid)
             mapper.SetShadowMethodToAtVertices()
+        elif scene == "inside":
+            self.go_inside(grid)
 
     def show(self, mapper, size):
         self.volume = vtk.vtkVolume()
@@ -114,10 +120,22 @@ class Frames:
         volume_property.SetSpecular(0.3)
         volume_property.SetSpecularPower(20.0)
 
+    def go_inside(self, grid):
+        """Into the grid, but for holes in the middle of the datasets."""
+        bounds = grid.GetBounds()
+        self.first_position = [bounds[2 * k] + share * (bounds[2 * k + 1] - bounds[2 * k])
+                               for k, share in enumerate(INSIDE)]
+        self.camera.SetViewAngle(60.0)
+        self.turns_inside = True
+
     def seconds(self, view):
         """From the call of Render() until the GL has finished."""
         self.camera.SetPosition(self.first_position)
-        self.camera.Azimuth(DEGREES_PER_VIEW * view)
+        if self.turns_inside:
+            self.camera.SetFocalPoint([p - d for p, d in zip(self.first_position, VIEW_DIRECTION)])
+            self.camera.Yaw(DEGREES_PER_VIEW * view)
+        else:
+            self.camera.Azimuth(DEGREES_PER_VIEW * view)
         self.renderer.ResetCameraClippingRange()
         begin = time.perf_counter()
         self.window.Render()
@@ -136,8 +154,8 @@ def median_seconds(frames, rounds):
 
 
 def main():
-    dataset, light, size = sys.argv[1:]
-    frames = Frames(dataset, light == "on", [int(n) for n in size.split("x")])
+    dataset, scene, size = sys.argv[1:]
+    frames = Frames(dataset, scene, [int(n) for n in size.split("x")])
     print("ready", flush=True)
     for line in sys.stdin:
         print(frames.seconds(int(line)), flush=True)

@@ -382,3 +382,8 @@ class VariantScene:
             camera.SetFocalPoint(0.7, 0.9, 0.6)
             camera.SetViewAngle(70.0)
         self.renderer.ResetCameraClippingRange()
+        if not self.has("ENTRY_LISTS") and not self.has("STRUCTURED"):
+            # In perspective, rays from inside a mesh have lists.
+            camera.ParallelProjectionOn()
+            camera.SetParallelScale(0.5)
+            camera.SetClippingRange(0.01, 5.0)

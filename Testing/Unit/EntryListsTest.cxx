@@ -10,6 +10,7 @@
 #include "View/RayPoints.h"
 
 #include "NamedCamera.h"
+#include "PixelLists.h"
 #include "Shot.h"
 #include "UnitMeshes.h"
 
@@ -23,8 +24,9 @@ namespace
 using namespace tetmarch;
 using namespace tetmarch::testing;
 
-constexpr int Width = 97;
-constexpr int Height = 71;
+constexpr PictureSize Picture{ 97, 71 };
+constexpr int Width = Picture.Width;
+constexpr int Height = Picture.Height;
 constexpr std::uint64_t NoLimit = std::uint64_t(1) << 32;
 
 // Of meshes within the unit cube, or about as large.
@@ -81,39 +83,6 @@ View viewOf(const NamedCamera& camera, const TetMesh& mesh)
   return viewOf(shot, mesh);
 }
 
-// The ray of a pixel in the arithmetic of the shader (passes/pixel_ray.glsl).
-template <typename Kernel>
-typename Kernel::Ray rayOf(
-  Kernel& kernel, const View& view, const std::array<double, 16>& points, int column, int row)
-{
-  const float x = (float(column) + 0.5f) / float(Width) * 2.0f - 1.0f;
-  const float y = (float(row) + 0.5f) / float(Height) * 2.0f - 1.0f;
-  float p[4];
-  for (int r = 0; r < 4; ++r)
-  {
-    const auto m = [&](int c) { return static_cast<float>(points[4 * r + c]); };
-    p[r] = m(0) * x + m(1) * y + m(3);
-  }
-  const glsl::Vec3<float> point(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
-  const glsl::Vec3<float> eye(float(view.Eye[0]), float(view.Eye[1]), float(view.Eye[2]));
-  return kernel.rayThrough(point, glsl::normalize(point * float(view.Eye[3]) - eye));
-}
-
-template <typename Kernel>
-void useList(
-  Kernel& kernel, const EntryLists& lists, int column, int row, typename Kernel::Ray& ray)
-{
-  const int shift = lists.TileShift;
-  const int tile = (row >> shift) * lists.TilesPerRow + (column >> shift);
-  const int last = (1 << shift) - 1;
-  kernel.useEntryLists(lists);
-  ray.firstCandidate = static_cast<int>(lists.First[tile]);
-  ray.endOfCandidates = static_cast<int>(lists.First[tile + 1]);
-  const int ofSquare = std::max(shift - 4, 0);
-  ray.pixelInTile =
-    static_cast<std::uint32_t>(((row & last) >> ofSquare) << 4 | ((column & last) >> ofSquare));
-}
-
 struct Found
 {
   int Entries = 0;
@@ -138,7 +107,7 @@ void expectSameEntries(
   {
     for (int column = 0; column < Width; ++column)
     {
-      auto ray = rayOf(kernel, view, points, column, row);
+      auto ray = rayOf(kernel, view, points, Picture, column, row);
       useList(kernel, lists, column, row, ray);
       typename Kernel::Entry listed{ -float(NoDepth), -1 };
       typename Kernel::Entry searched = listed;

@@ -143,7 +143,14 @@ const KeyCase KeyCases[] = {
   // Views and cuts.
   { "the eye in the volume",
     [](StagedScene& s) { s.Renderer->GetActiveCamera()->SetPosition(0.5, 0.45, 0.6); },
-    "-ENTRY_LISTS +BVH", "" },
+    "+VISIBLE_PART +REENTERED", "" },
+  { "the eye in the volume, for a sum",
+    [](StagedScene& s)
+    {
+      s.Renderer->GetActiveCamera()->SetPosition(0.5, 0.45, 0.6);
+      s.blend(BlendMode::Additive);
+    },
+    "-ENTRY_LISTS +BVH -ADAPTIVE +SUM", "-ADAPTIVE +SUM" },
   { "a clipping plane",
     [](StagedScene& s)
     {

@@ -238,7 +238,8 @@ TYPED_TEST(FrameStagesOf, AreDrawnByTheReference)
   EXPECT_NEAR(made.trace(options).Color[3], trace.Color[3], 1e-4);
 }
 
-// Lists tell where rays of pixels enter a mesh, unless the camera is inside.
+// Lists tell where rays of pixels enter a mesh; if the camera is inside, in perspective and of the
+// visible part.
 TEST(FrameStages, TheHierarchyIsMadeWhenRaysSearchInIt)
 {
   using Frame = StagedFrame<TetVolume>;
@@ -261,8 +262,22 @@ TEST(FrameStages, TheHierarchyIsMadeWhenRaysSearchInIt)
       },
       false, true },
     { "a camera inside",
-      [](Frame& frame) { frame.Renderer->GetActiveCamera()->SetPosition(0.4, 0.4, 0.4); }, true,
-      true },
+      [](Frame& frame) { frame.Renderer->GetActiveCamera()->SetPosition(0.4, 0.4, 0.4); }, false,
+      false },
+    { "a camera inside, parallel",
+      [](Frame& frame)
+      {
+        frame.Renderer->GetActiveCamera()->SetPosition(0.4, 0.4, 0.4);
+        frame.Renderer->GetActiveCamera()->ParallelProjectionOn();
+      },
+      true, true },
+    { "a camera inside, the greatest value of each ray",
+      [](Frame& frame)
+      {
+        frame.Renderer->GetActiveCamera()->SetPosition(0.4, 0.4, 0.4);
+        frame.blend(BlendMode::Maximum);
+      },
+      true, true },
   };
   for (const auto& each : cases)
   {

@@ -127,22 +127,50 @@ TEST(RayPoints, LieOnTheirRaysNearTheMesh)
   }
 }
 
-TEST(RayPoints, LieOnTheNearPlaneThatCutsTheMesh)
+// Of an eye in the mesh the direction has digits, also if the near plane is almost there.
+TEST(RayPoints, AreFarFromAnEyeInTheMesh)
 {
   const TetMesh mesh = built(jitteredLattice(3));
   Shot shot;
-  shot.Camera->SetClippingRange(2.5, 10.0);
+  shot.Camera->SetPosition(0.3, 0.4, 0.2);
+  shot.Camera->SetFocalPoint(0.9, 0.6, 0.8);
+  shot.Camera->SetClippingRange(1e-6, 10.0);
   const View view = viewOf(shot, mesh);
   ASSERT_TRUE(view.CutsNearPlane);
   const std::array<double, 16> matrix = rayPoints(view, mesh.Frame);
   for (const double x : { -0.8, 0.0, 0.7 })
   {
     const Vec3 point = pointOf(matrix, x, 0.2);
-    const std::array<double, 3> expected = view.unproject(x, 0.2, -1.0);
+    EXPECT_LT(distanceFromRay(view, view.unproject(x, 0.2, 0.0), point), 1e-6);
+    double square = 0;
     for (int k = 0; k < 3; ++k)
     {
-      EXPECT_NEAR(point[k], expected[k], 1e-6);
+      square += (point[k] - view.Eye[k]) * (point[k] - view.Eye[k]);
     }
+    EXPECT_GT(square, 0.25);
+  }
+}
+
+TEST(RayPoints, BeginAtANearPlaneThatCutsTheMesh)
+{
+  const TetMesh mesh = built(jitteredLattice(3));
+  for (const bool parallel : { false, true })
+  {
+    Shot shot;
+    shot.Camera->SetParallelProjection(parallel);
+    shot.Camera->SetClippingRange(2.5, 10.0);
+    const View view = viewOf(shot, mesh);
+    ASSERT_TRUE(view.CutsNearPlane);
+    const std::array<double, 4> plane = view.nearPlane();
+    const auto distance = [&](double depth)
+    {
+      const std::array<double, 3> at = view.unproject(-0.8, 0.2, depth);
+      return plane[0] * at[0] + plane[1] * at[1] + plane[2] * at[2] + plane[3];
+    };
+    EXPECT_NEAR(distance(-1.0), 0.0, 1e-12);
+    EXPECT_NEAR(distance(1.0), 7.5 / mesh.Frame.Radius, 1e-9);
+    shot.Camera->SetClippingRange(1e-3, 10.0);
+    EXPECT_EQ(viewOf(shot, mesh).nearPlane(), (std::array<double, 4>()));
   }
 }
 } // namespace

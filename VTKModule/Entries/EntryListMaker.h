@@ -6,6 +6,7 @@
 #define TetMarchEntriesEntryListMaker_h
 
 #include "Entries/EntryLists.h"
+#include "Entries/EyeStart.h"
 #include "Entries/Footprint.h"
 
 #include <atomic>
@@ -19,9 +20,11 @@ class EntryListMaker
 {
 public:
   /** As makeEntryLists(), but tiles are enlarged until neither array has more than mostTexels
-   * elements, if there are no more faces than that. The lists stay until the next call. */
+   * elements, if there are no more faces than that. Those inside of the start have the indices
+   * behind the faces of the part. The lists stay until the next call. */
   const EntryLists& make(std::uint64_t mostTexels, const TetMesh& mesh,
-    const std::vector<std::array<Id, 4>>& faces, const View& view, int width, int height);
+    const std::vector<std::array<Id, 4>>& faces, const View& view, int width, int height,
+    const EyeStart& start = {});
 
 private:
   // A candidate of a tile, and its place among those of the tile.
@@ -38,6 +41,7 @@ private:
   bool fits(std::uint64_t mostTiles, std::uint64_t mostCandidates) const;
   FaceCorners cornersOf(std::size_t face) const;
   void findFootprints();
+  void coverPicture(std::size_t face);
   void findFootprintsOf(std::size_t batch);
   void chooseTiles(std::uint64_t mostTexels);
   template <typename Visit>
@@ -49,6 +53,7 @@ private:
   std::optional<FaceProjection> Projection;
   const Vertex* Vertices = nullptr;
   const std::vector<std::array<Id, 4>>* Faces = nullptr;
+  const EyeStart* Start = nullptr;
   int Width = 0;
   int Height = 0;
   std::vector<Footprint> Footprints;

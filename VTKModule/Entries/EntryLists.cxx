@@ -83,11 +83,13 @@ std::uint64_t sumOf(std::size_t count, const Value& valueOf)
 } // namespace
 
 const EntryLists& EntryListMaker::make(std::uint64_t mostTexels, const TetMesh& mesh,
-  const std::vector<std::array<Id, 4>>& faces, const View& view, int width, int height)
+  const std::vector<std::array<Id, 4>>& faces, const View& view, int width, int height,
+  const EyeStart& start)
 {
   this->Projection.emplace(mesh.Frame, view, width, height);
   this->Vertices = mesh.Vertices.data();
   this->Faces = &faces;
+  this->Start = &start;
   this->Width = width;
   this->Height = height;
   this->Lists.DepthPlane = this->Projection->depthPlane();
@@ -106,9 +108,23 @@ int EntryListMaker::tilesAlong(int pixels) const
 
 void EntryListMaker::findFootprints()
 {
-  this->Footprints.resize(this->Faces->size());
-  forEach((this->Footprints.size() + FacesOfBatch - 1) / FacesOfBatch,
+  const std::size_t count = this->Faces->size();
+  this->Footprints.resize(count + this->Start->Inside.size());
+  forEach((count + FacesOfBatch - 1) / FacesOfBatch,
     [this](std::size_t batch) { this->findFootprintsOf(batch); });
+  for (const std::size_t face : this->Start->OfPart)
+  {
+    this->coverPicture(face);
+  }
+  for (std::size_t face = count; face < this->Footprints.size(); ++face)
+  {
+    this->coverPicture(face);
+  }
+}
+
+void EntryListMaker::coverPicture(std::size_t face)
+{
+  this->Footprints[face] = this->Projection->wholePicture(this->cornersOf(face));
 }
 
 // All vertices are fetched first: the processor waits for many at once.
@@ -116,7 +132,7 @@ void EntryListMaker::findFootprintsOf(std::size_t batch)
 {
   std::array<std::array<Vertex, 3>, FacesOfBatch> corners;
   const std::size_t first = batch * FacesOfBatch;
-  const std::size_t count = std::min(FacesOfBatch, this->Footprints.size() - first);
+  const std::size_t count = std::min(FacesOfBatch, this->Faces->size() - first);
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::array<Id, 4>& ids = (*this->Faces)[first + i];
@@ -130,12 +146,13 @@ void EntryListMaker::findFootprintsOf(std::size_t batch)
 }
 
 // Tiles are about as large as the footprint of a face: lists are short, and a face is in few of
-// them.
+// them. Faces around the eye, which cover the picture, count as the largest tile.
 void EntryListMaker::chooseTiles(std::uint64_t mostTexels)
 {
   const std::size_t count = this->Footprints.size();
+  constexpr std::uint64_t most = std::uint64_t(2) << (2 * MostEntryTileShift);
   const auto pixels =
-    sumOf(count, [this](std::size_t face) { return this->Footprints[face].pixels(); });
+    sumOf(count, [&](std::size_t face) { return std::min(this->Footprints[face].pixels(), most); });
   const auto faces =
     sumOf(count, [this](std::size_t face) { return this->Footprints[face].isEmpty() ? 0 : 1; });
   int& shift = this->Lists.TileShift;
@@ -275,7 +292,9 @@ void EntryListMaker::sortCandidates()
 
 FaceCorners EntryListMaker::cornersOf(std::size_t face) const
 {
-  const std::array<Id, 4>& ids = (*this->Faces)[face];
+  const std::size_t count = this->Faces->size();
+  const std::array<Id, 4>& ids =
+    face < count ? (*this->Faces)[face] : this->Start->Inside[face - count];
   return { { this->Vertices + ids[0], this->Vertices + ids[1], this->Vertices + ids[2] } };
 }
 

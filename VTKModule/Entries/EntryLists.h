@@ -44,8 +44,9 @@ constexpr int MostEntryTileShift = 4;
 
 /**
  * The lists of a picture of width x height pixels, by indices of faces; each face begins with three
- * vertices of the mesh, counter-clockwise seen from outside. The whole mesh must lie before the eye
- * (not View::CutsNearPlane). Parallel, in time proportional to the numbers of faces and candidates.
+ * vertices of the mesh, counter-clockwise seen from outside. The eye must not lie in the mesh:
+ * there rays begin at an EyeStart (EntryListMaker). Parallel, in time proportional to the numbers
+ * of faces and candidates.
  */
 EntryLists makeEntryLists(const TetMesh& mesh, const std::vector<std::array<Id, 4>>& faces,
   const View& view, int width, int height);

@@ -110,6 +110,7 @@ FaceProjection::FaceProjection(const VolumeFrame& frame, const View& view, int w
   , LengthX(lengthOf(this->ToX))
   , LengthY(lengthOf(this->ToY))
   , LengthW(lengthOf(this->ToW))
+  , LeastW(double(HierarchyMargin) * this->LengthW)
   , Mirrored(view.Mirrored)
   , LastX(width - 1)
   , LastY(height - 1)
@@ -124,7 +125,34 @@ std::array<float, 4> FaceProjection::depthPlane() const
   return plane;
 }
 
-double FaceProjection::depthOf(const Vertex& v) const { return product(this->Depth, v); }
+std::uint16_t FaceProjection::nearestOf(const FaceCorners& corners) const
+{
+  const auto depth = [&](int i) { return product(this->Depth, *corners[i]); };
+  // One less, since the shader rounds depths.
+  const double nearest = std::floor(leastOf(depth(0), depth(1), depth(2))) - 1;
+  return static_cast<std::uint16_t>(std::min(std::max(nearest, 0.0), MostDepth));
+}
+
+// Of a face that isn't wholly before the eye: whether all of it is behind, or beyond one side of
+// the picture, where no point of it has become one of the picture by rounding.
+bool FaceProjection::isOutOfSight(const FaceCorners& corners) const
+{
+  const auto isBeyond = [&](const Row& plane)
+  {
+    const double rounding = double(HierarchyMargin) * lengthOf(plane);
+    return greatestOf(product(plane, *corners[0]), product(plane, *corners[1]),
+             product(plane, *corners[2])) < -rounding;
+  };
+  const auto upTo = [&](int last, const Row& row)
+  {
+    Row plane = this->ToW;
+    std::transform(plane.begin(), plane.end(), row.begin(), plane.begin(),
+      [last](double w, double pixels) { return (last + 1) * w - pixels; });
+    return plane;
+  };
+  return isBeyond(this->ToW) || isBeyond(this->ToX) || isBeyond(this->ToY) ||
+         isBeyond(upTo(this->LastX, this->ToX)) || isBeyond(upTo(this->LastY, this->ToY));
+}
 
 ProjectedFace FaceProjection::project(const FaceCorners& corners) const
 {
@@ -139,6 +167,12 @@ ProjectedFace FaceProjection::project(const FaceCorners& corners) const
     nearest = std::min(nearest, w);
     reach = greatestOf(reach, std::abs(face.X[i]), std::abs(face.Y[i]));
   }
+  if (nearest < this->LeastW)
+  {
+    face = {};
+    face.Margin = std::numeric_limits<double>::infinity();
+    return face;
+  }
   const double slope = std::max(this->LengthX, this->LengthY) + reach * this->LengthW;
   face.Margin = PixelMargin + double(HierarchyMargin) * slope / nearest;
   return face;
@@ -147,6 +181,10 @@ ProjectedFace FaceProjection::project(const FaceCorners& corners) const
 Footprint FaceProjection::footprintOf(const FaceCorners& corners) const
 {
   const ProjectedFace face = this->project(corners);
+  if (std::isinf(face.Margin))
+  {
+    return this->isOutOfSight(corners) ? Footprint() : this->wholePicture(corners);
+  }
   const double left = leastOf(face.X[0], face.X[1], face.X[2]);
   const double right = greatestOf(face.X[0], face.X[1], face.X[2]);
   const double bottom = leastOf(face.Y[0], face.Y[1], face.Y[2]);
@@ -172,11 +210,18 @@ Footprint FaceProjection::footprintOf(const FaceCorners& corners) const
   footprint.Right = pixel(last[0], this->LastX);
   footprint.Bottom = pixel(first[1], this->LastY);
   footprint.Top = pixel(last[1], this->LastY);
-  const double nearest =
-    leastOf(this->depthOf(*corners[0]), this->depthOf(*corners[1]), this->depthOf(*corners[2]));
-  // One less, since the shader rounds depths.
-  footprint.Nearest =
-    static_cast<std::uint16_t>(std::min(std::max(std::floor(nearest) - 1, 0.0), MostDepth));
+  footprint.Nearest = this->nearestOf(corners);
+  return footprint;
+}
+
+Footprint FaceProjection::wholePicture(const FaceCorners& corners) const
+{
+  Footprint footprint;
+  footprint.Left = 0;
+  footprint.Bottom = 0;
+  footprint.Right = static_cast<std::uint16_t>(this->LastX);
+  footprint.Top = static_cast<std::uint16_t>(this->LastY);
+  footprint.Nearest = this->nearestOf(corners);
   return footprint;
 }
 

@@ -40,7 +40,8 @@ struct Footprint
 struct ProjectedFace
 {
   std::array<double, 3> X{}, Y{};
-  double Margin = 0; // maximum distance at which a ray can enter through the face by rounding
+  double Margin = 0; // maximum distance at which a ray can enter through the face by rounding; any
+                     // distance if a corner isn't before the eye
 
   /** Narrow the columns left to right to those in which the face covers a pixel of the rows bottom
    * to top; left > right if there is none. */
@@ -59,13 +60,17 @@ public:
   ProjectedFace project(const FaceCorners& corners) const;
   /** Empty if the face is back-facing, or no pixel sees it. */
   Footprint footprintOf(const FaceCorners& corners) const;
+  /** Of a face around the eye: all pixels. */
+  Footprint wholePicture(const FaceCorners& corners) const;
 
 private:
-  double depthOf(const Vertex& v) const;
+  std::uint16_t nearestOf(const FaceCorners& corners) const;
+  bool isOutOfSight(const FaceCorners& corners) const;
 
   std::array<double, 4> ToX{}, ToY{}, ToW{}; // (x, y, z, 1) . row: pixels times w, and w
   std::array<double, 4> Depth{};
   double LengthX = 0, LengthY = 0, LengthW = 0; // of the rows
+  double LeastW = 0;                            // of what is before the eye for sure
   bool Mirrored = false;
   int LastX, LastY; // pixels
 };

@@ -44,6 +44,13 @@ void forPartsOf(std::size_t count, const Work& work)
     { work(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
 }
 
+// Whether the volume of a tetrahedron determines its orientation, since none can be inverted;
+// unless it is flat. Finding the signs of all takes longer than all else.
+bool isOrientedByVolumes(const TetMesh& mesh)
+{
+  return !mesh.HasCutCells && mesh.Report.FoldedFaces == 0;
+}
+
 // A bit for each tetrahedron; empty if none is degenerate.
 std::vector<std::uint32_t> degenerateTets(const TetMesh& mesh)
 {
@@ -211,17 +218,26 @@ VisiblePartFinder::Ends VisiblePartFinder::endsOfChunks() const
   return ends;
 }
 
+int VisiblePartFinder::outsideSign(const TetMesh& mesh, Id tet)
+{
+  const int sign = isOrientedByVolumes(mesh) ? volumeSign(mesh, tet) : 0;
+  return sign != 0 ? sign : this->allSigns(mesh)[tet];
+}
+
+const std::vector<std::int8_t>& VisiblePartFinder::allSigns(const TetMesh& mesh)
+{
+  if (this->Signs.empty())
+  {
+    this->Signs = outsideSigns(mesh);
+  }
+  return this->Signs;
+}
+
 void VisiblePartFinder::findFaces(const TetMesh& mesh)
 {
-  // If no tetrahedron can be flat or inverted, its volume determines its orientation. Finding the
-  // signs of all takes longer than all else.
-  const bool byVolumes = !mesh.HasCutCells && mesh.Report.FoldedFaces == 0;
-  if (!byVolumes || !this->makeFaces(mesh, true))
+  if (!isOrientedByVolumes(mesh) || !this->makeFaces(mesh, true))
   {
-    if (this->Signs.empty())
-    {
-      this->Signs = outsideSigns(mesh);
-    }
+    this->allSigns(mesh);
     this->makeFaces(mesh, false);
   }
   this->Part.Links.resize(this->Part.Faces.size());

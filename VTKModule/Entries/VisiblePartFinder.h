@@ -24,6 +24,9 @@ public:
   void update(const TetMesh& mesh, const VisibleScalars& shown, const Fingerprint& version);
   /** See linkVisiblePart(). */
   void link(const TetMesh& mesh) { linkVisiblePart(mesh, this->Part); }
+  /** +1 or -1 for outwardFace() of a tetrahedron of the mesh of update(). It may take as long as
+   * that, once a mesh. */
+  int outsideSign(const TetMesh& mesh, Id tet);
   /** Forget everything: nothing is known of what is visible. */
   void clear();
 
@@ -39,6 +42,7 @@ private:
   {
     return this->DegenerateTets.empty() ? 0 : this->DegenerateTets[word];
   }
+  const std::vector<std::int8_t>& allSigns(const TetMesh& mesh);
   void findEntries(const TetMesh& mesh);
   void findEntriesOf(const TetMesh& mesh, std::size_t tet);
   void toggle(std::size_t halfFace, std::uint32_t bits);

@@ -198,8 +198,26 @@ std::string FrameStages::updateView(const FrameInput& input)
   }
   const bool lightReenters =
     this->Marched.mayReenter() && this->Effects.data().Lights.hasVolumeLight();
-  return this->Camera.CutsNearPlane || lightReenters ? this->prepareEntrySearch() : std::string();
+  std::string error = lightReenters ? this->prepareEntrySearch() : std::string();
+  return error.empty() ? this->updateEye() : error;
 }
+
+// If rays begin in the volume, their entries are listed or else searched.
+std::string FrameStages::updateEye()
+{
+  VariantKey key;
+  this->setBits(key, 1);
+  key.EntryLists = !this->Marched.isStructured();
+  key.VisiblePart = true;
+  const View& camera = this->Camera;
+  const bool mayList = camera.CutsNearPlane && camera.Eye[3] != 0 && key.filtered().VisiblePart;
+  const Vector3 eye{ { camera.Eye[0], camera.Eye[1], camera.Eye[2] } };
+  const std::string error = this->Marched.updateEye(mayList ? &eye : nullptr);
+  const bool searches = camera.CutsNearPlane && !this->Marched.startsAtEye();
+  return error.empty() && searches ? this->prepareEntrySearch() : error;
+}
+
+void FrameStages::beginBeforeVolume() { this->Marched.updateEye(nullptr); }
 
 std::string FrameStages::prepareEntrySearch()
 {
@@ -233,7 +251,8 @@ std::string FrameStages::describeBadSamples() const
 void FrameStages::setBits(VariantKey& key, double pixels) const
 {
   this->Marched.setBits(key);
-  key.EntryLists = !this->Marched.isStructured() && !this->Camera.CutsNearPlane;
+  key.EntryLists =
+    !this->Marched.isStructured() && (!this->Camera.CutsNearPlane || this->Marched.startsAtEye());
   key.TransparentRanges = this->SkipsTransparentCells.isOn();
   key.ConstantColor = this->Tables.first().Traits.ConstantColor;
   key.Clipped = this->Cut.cuts();

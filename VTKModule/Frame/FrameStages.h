@@ -47,6 +47,8 @@ public:
   /** What rays need to find where they enter without lists of entries. Returns an empty string, or
    * what is wrong. */
   std::string prepareEntrySearch();
+  /** Until the next update rays begin before the volume, also if the eye is in it. */
+  void beginBeforeVolume();
 
   // What the last update has made.
 
@@ -86,6 +88,7 @@ private:
   std::string updateEffects(const FrameInput& input);
   std::string effectsOfComponents(bool showsPicture) const;
   std::string updateView(const FrameInput& input);
+  std::string updateEye();
   StageResult updateClipping(const FrameInput& input);
 
   MarchedVolume& Marched;

@@ -126,6 +126,8 @@ private:
   MarchInputs inputsOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area);
   bool boundsCurvedCells(const DrawOptions& options) const;
   VariantKey keyOf(const DrawOptions& options, vtkRenderer* renderer, const Viewport& area) const;
+  VariantKey withEntries(VariantKey key) const;
+  std::string prepareSearch(vtkOpenGLRenderWindow* window, const VariantKey& key);
   Fingerprint lightVersion(const MarchInputs& inputs) const;
   Fingerprint pickVersion(const MarchInputs& inputs, const Viewport& part) const;
   StageResult findPicked(const DrawContext& context, MarchInputs inputs, const Viewport& part,

@@ -49,6 +49,7 @@ StageResult Pipeline::capture(vtkOpenGLRenderWindow* window, vtkRenderer* render
   const DrawOptions& options, const Progress& progress, CapturedVolume& captured)
 {
   // The page lists entries by itself. Where it can't, its rays search them in the hierarchy.
+  this->Stages.beginBeforeVolume();
   std::string error = this->Stages.prepareEntrySearch();
   error = error.empty() ? this->upload(window) : error;
   if (!error.empty())

@@ -68,6 +68,19 @@ VariantKey Pipeline::keyOf(
   return options.Boundary == BoundaryView::None ? key.filtered() : key.ofEntries();
 }
 
+// From an eye in the mesh there are lists for rays that enter a part. Others search their entries.
+VariantKey Pipeline::withEntries(VariantKey key) const
+{
+  if (key.VisiblePart || !this->Stages.camera().CutsNearPlane)
+  {
+    return key;
+  }
+  key.EntryLists = false;
+  key.Hierarchy = !key.Structured;
+  key.Reentered = false;
+  return key;
+}
+
 // What the GL can't do of a picture.
 std::string Pipeline::describeUnfit(const MarchInputs& inputs, int ofVisits)
 {
@@ -108,7 +121,8 @@ MarchInputs Pipeline::inputsOf(
   const int ofVisits = options.Shared ? SamplersOfVisits : 0;
   const int units = textureUnits(inputs.ByCompute);
   const int ofBounds = this->boundsCurvedCells(options) ? 1 : 0; // variations of the functions
-  inputs.Key = fittedTo(units - ofVisits - ofBounds, this->keyOf(options, renderer, area));
+  inputs.Key = this->withEntries(
+    fittedTo(units - ofVisits - ofBounds, this->withEntries(this->keyOf(options, renderer, area))));
   const bool fits = samplersOf(inputs.Key) + SamplersOfRayLists <= units &&
                     std::int64_t(area.Width) * area.Height < RayList::MostPixels;
   inputs.PixelTolerance = fits && !options.Shared ? options.PixelTolerance : 0;
@@ -170,6 +184,17 @@ std::string Pipeline::describeBadOptions(const DrawOptions& options) const
            : std::string();
 }
 
+// What the stages have not prepared, since most variants don't need it.
+std::string Pipeline::prepareSearch(vtkOpenGLRenderWindow* window, const VariantKey& key)
+{
+  if (!key.Hierarchy)
+  {
+    return {};
+  }
+  const std::string error = this->Stages.prepareEntrySearch();
+  return error.empty() ? this->upload(window) : error;
+}
+
 StageResult Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   const DrawOptions& options, const Progress& progress)
 {
@@ -184,7 +209,12 @@ StageResult Pipeline::draw(vtkOpenGLRenderWindow* window, vtkRenderer* renderer,
   {
     return { bad };
   }
-  const MarchInputs inputs = this->inputsOf(options, renderer, area);
+  MarchInputs inputs = this->inputsOf(options, renderer, area);
+  const std::string missing = this->prepareSearch(window, inputs.Key);
+  if (!missing.empty())
+  {
+    return { missing };
+  }
   this->PixelTolerance = inputs.PixelTolerance;
   this->Content.push_back(static_cast<std::uintptr_t>(area.Width));
   this->Content.push_back(static_cast<std::uintptr_t>(area.Height));

@@ -57,7 +57,9 @@ StageResult Pipeline::findPicked(const DrawContext& context, MarchInputs inputs,
   // What the picture needs stays on the GPU.
   StageResult result{ this->EffectsOnGpu.update(
     context.Window, this->Stages.effects(), inputs.Key) };
-  inputs.Key = inputs.Key.ofPick();
+  inputs.Key = this->withEntries(inputs.Key.ofPick());
+  result =
+    result.then([&] { return StageResult{ this->prepareSearch(context.Window, inputs.Key) }; });
   return result.then([&] { return StageResult{ describeUnfit(inputs, 0) }; })
     .then([&] { return this->Passes.pick(context, inputs, part, points); });
 }

@@ -18,9 +18,9 @@ void bindPixelRays(vtkShaderProgram* program, const MarchInputs& inputs, const V
   program->SetUniform4f("viewport", area.data());
   setUniform(program, "eye", view.Eye);
   setUniform(program, "rayPoints", inputs.RayPoints);
-  if (!inputs.Key.EntryLists)
+  if (!inputs.Key.EntryLists || inputs.Key.VisiblePart)
   {
-    program->SetUniformi("cutsNearPlane", view.CutsNearPlane ? 1 : 0);
+    setUniform(program, "nearPlane", view.nearPlane());
   }
   if (inputs.Key.OpaqueDepth)
   {

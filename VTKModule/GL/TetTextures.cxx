@@ -19,10 +19,10 @@ std::vector<BufferSize> TetTextures::bufferSizes() const
     this->Volume.mesh().Curvilinear && !scalars.OfCells.empty() ? CurvilinearCells::TetsOfCell : 1;
   std::vector<BufferSize> sizes = tetmarch::bufferSizes(
     this->Volume.mesh(), scalars.OfCells.size() / shared, this->Volume.hiddenCells().size());
-  if (this->Volume.entersVisiblePart())
+  if (this->Volume.entersPart())
   {
-    const VisiblePart& visible = this->Volume.visiblePart();
-    sizes.push_back({ "faces of what is visible", visible.Faces.size(), sizeof(visible.Faces[0]) });
+    const auto& faces = this->Volume.enteredPart().Faces;
+    sizes.push_back({ "faces of what is visible", faces.size() + MostEyeFaces, sizeof(faces[0]) });
   }
   if (!scalars.OfCorners.empty())
   {
@@ -43,7 +43,7 @@ bool TetTextures::isCurrent() const
   return this->Links.holds(this->Volume.linksVersion()) &&
          this->Scalars.holds(this->Volume.scalarsVersion()) &&
          this->HiddenCells.holds(this->Volume.hiddenVersion()) &&
-         this->VisibleTets.holds(this->Volume.visibleVersion());
+         this->EnteredTets.holds(this->Volume.enteredVersion());
 }
 
 std::string TetTextures::upload(vtkOpenGLRenderWindow* window)
@@ -67,13 +67,13 @@ std::string TetTextures::upload(vtkOpenGLRenderWindow* window)
     [&] { return this->Mesh.uploadHiddenCells(window, hidden); },
     [&] { return sizeof(std::uint32_t) * hidden.size(); });
   update(
-    this->VisibleTets, this->Volume.visibleVersion(),
+    this->EnteredTets, this->Volume.enteredVersion(),
     [&]
     {
       this->Visible.release(window);
-      return this->Volume.entersVisiblePart()
-               ? this->Visible.upload(window, this->Volume.visiblePart())
-               : std::string();
+      return this->Volume.entersPart() ? this->Visible.upload(window, this->Volume.enteredPart(),
+                                           this->Volume.startsAtEye())
+                                       : std::string();
     },
     [&] { return this->Visible.bytes(); });
   return error;
@@ -84,7 +84,7 @@ void TetTextures::release(vtkWindow* window)
   this->Mesh.release(window);
   this->releaseEntries(window);
   this->Visible.release(window);
-  for (Uploaded* part : { &this->Links, &this->Scalars, &this->HiddenCells, &this->VisibleTets })
+  for (Uploaded* part : { &this->Links, &this->Scalars, &this->HiddenCells, &this->EnteredTets })
   {
     part->forget();
   }
@@ -139,9 +139,16 @@ void TetTextures::chooseEntries(vtkOpenGLRenderWindow* window, const Fingerprint
 std::string TetTextures::listEntries(vtkOpenGLRenderWindow* window, const VariantKey& key,
   const Viewport& viewport, const View& camera)
 {
+  // Only the part has faces around the eye.
+  const bool startsAtEye = key.VisiblePart && this->Volume.startsAtEye();
+  if (startsAtEye)
+  {
+    this->Visible.replaceEyeFaces(this->Volume.eyeStart());
+  }
   Fingerprint version =
-    key.VisiblePart ? this->Volume.visibleVersion() : this->Volume.linksVersion();
+    key.VisiblePart ? this->Volume.enteredVersion() : this->Volume.linksVersion();
   add(version, key.VisiblePart ? 1 : 0);
+  add(version, startsAtEye ? 1 : 0);
   addAll(version, camera.NormalizedToClip);
   add(version, viewport.Width);
   add(version, viewport.Height);
@@ -157,9 +164,10 @@ std::string TetTextures::listEntries(vtkOpenGLRenderWindow* window, const Varian
     {
       const StageRecorder recorder(this->EntriesRecord);
       const auto& faces =
-        key.VisiblePart ? this->Volume.visiblePart().Faces : this->Volume.mesh().BoundaryFaces;
+        key.VisiblePart ? this->Volume.enteredPart().Faces : this->Volume.mesh().BoundaryFaces;
       const EntryLists& lists = this->ListMaker.make(this->Volume.limits().TexelsPerBuffer,
-        this->Volume.mesh(), faces, camera, viewport.Width, viewport.Height);
+        this->Volume.mesh(), faces, camera, viewport.Width, viewport.Height,
+        startsAtEye ? this->Volume.eyeStart() : EyeStart());
       error = entries.upload(window, lists, version);
     });
   return shortage.empty() ? error : shortage;

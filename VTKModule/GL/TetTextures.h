@@ -40,7 +40,7 @@ public:
   std::int64_t uploadedBytes() const override
   {
     return this->Links.allBytes() + this->Scalars.allBytes() + this->HiddenCells.allBytes() +
-           this->VisibleTets.allBytes();
+           this->EnteredTets.allBytes();
   }
 
   void setBits(VariantKey& key) const override { this->Mesh.setBits(key); }
@@ -64,7 +64,7 @@ private:
   Uploaded Links;
   Uploaded Scalars;
   Uploaded HiddenCells;
-  Uploaded VisibleTets;
+  Uploaded EnteredTets;
   VisiblePartTextures Visible;
   EntryListMaker ListMaker;
   std::array<EntryListTextures, 2> Entries; // of both eyes of a stereo picture

@@ -53,13 +53,22 @@ constexpr std::size_t TexelsOfSlice = std::size_t(1) << 20;
 
 } // namespace
 
-std::string TextureBuffer::upload(
-  vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels)
+std::string TextureBuffer::upload(vtkOpenGLRenderWindow* window, TexelFormat format,
+  const void* data, std::size_t texels, std::size_t room)
 {
   const std::array<std::uint32_t, 4> none{};
   const auto* bytes = static_cast<const unsigned char*>(texels > 0 ? data : none.data());
-  return this->upload(window, format, std::max<std::size_t>(texels, 1),
-    [&](std::size_t begin, std::size_t) { return bytes + begin * rowOf(format).Bytes; });
+  return this->upload(
+    window, format, std::max<std::size_t>(texels, 1),
+    [&](std::size_t begin, std::size_t) { return bytes + begin * rowOf(format).Bytes; }, room);
+}
+
+void TextureBuffer::replace(std::size_t begin, const void* data, std::size_t bytes)
+{
+  this->Buffer->Bind();
+  glBufferSubData(
+    GL_TEXTURE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLsizeiptr>(bytes), data);
+  this->Buffer->Release();
 }
 
 // The storage of the buffer; what is in it is undefined.
@@ -76,16 +85,17 @@ bool TextureBuffer::allocate(std::size_t bytes)
   return glGetError() == GL_NO_ERROR && there == static_cast<GLint64>(bytes);
 }
 
-std::string TextureBuffer::upload(
-  vtkOpenGLRenderWindow* window, TexelFormat format, std::size_t texels, const Texels& slice)
+std::string TextureBuffer::upload(vtkOpenGLRenderWindow* window, TexelFormat format,
+  std::size_t texels, const Texels& slice, std::size_t room)
 {
-  if (const std::size_t most = mostTexels(); texels > most)
+  const std::size_t all = texels + room;
+  if (const std::size_t most = mostTexels(); all > most)
   {
     return "The GL takes " + std::to_string(most) + " texels in a texture buffer, but " +
-           std::to_string(texels) + " are needed. Extract or coarsen a part of the grid.";
+           std::to_string(all) + " are needed. Extract or coarsen a part of the grid.";
   }
   const FormatRow row = rowOf(format);
-  const std::size_t bytes = texels * row.Bytes;
+  const std::size_t bytes = all * row.Bytes;
   clearErrors();
   // The texture refers to the storage of the buffer, which an upload may replace: make the texture
   // again.
@@ -109,11 +119,11 @@ std::string TextureBuffer::upload(
   this->Texture->SetInternalFormat(row.InternalFormat);
   this->Texture->SetFormat(row.Format);
   if (!this->Texture->CreateTextureBuffer(
-        static_cast<unsigned int>(texels), row.Components, row.Type, this->Buffer) ||
+        static_cast<unsigned int>(all), row.Components, row.Type, this->Buffer) ||
       !this->isAttached() || glGetError() != GL_NO_ERROR)
   {
     this->release(window);
-    return "The GL makes no texture of a buffer of " + std::to_string(texels) + " texels.";
+    return "The GL makes no texture of a buffer of " + std::to_string(all) + " texels.";
   }
   this->Bytes = bytes;
   return {};

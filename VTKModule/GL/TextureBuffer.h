@@ -38,12 +38,15 @@ public:
   using Texels = std::function<const void*(std::size_t begin, std::size_t end)>;
 
   /** Replace the contents by texels that are made and copied a million at a time, so that no second
-   * copy of the whole is needed. Returns an empty string, or why it can't be done. */
-  std::string upload(
-    vtkOpenGLRenderWindow* window, TexelFormat format, std::size_t count, const Texels& texels);
+   * copy of the whole is needed. Behind them is room for more. Returns an empty string, or why it
+   * can't be done. */
+  std::string upload(vtkOpenGLRenderWindow* window, TexelFormat format, std::size_t count,
+    const Texels& texels, std::size_t room = 0);
   /** The same of an array; one texel of zeros if it is empty. */
-  std::string upload(
-    vtkOpenGLRenderWindow* window, TexelFormat format, const void* data, std::size_t texels);
+  std::string upload(vtkOpenGLRenderWindow* window, TexelFormat format, const void* data,
+    std::size_t texels, std::size_t room = 0);
+  /** Replace a part of the contents, from a byte on. */
+  void replace(std::size_t begin, const void* data, std::size_t bytes);
   /** Bind to a sampler of the program that is in use. */
   void bind(vtkShaderProgram* program, const char* sampler);
   void unbind();

@@ -7,18 +7,31 @@
 namespace tetmarch
 {
 
-std::string VisiblePartTextures::upload(vtkOpenGLRenderWindow* window, const VisiblePart& part)
+std::string VisiblePartTextures::upload(
+  vtkOpenGLRenderWindow* window, const VisiblePart& part, bool hasEyeFaces)
 {
+  const std::size_t room = hasEyeFaces ? MostEyeFaces : 0;
   this->release(window);
+  this->NumberOfFaces = part.Faces.size();
   std::string error =
     this->Tets.upload(window, TexelFormat::R32UI, part.Tets.data(), part.Tets.size());
   if (error.empty())
   {
-    error = this->Faces.upload(window, TexelFormat::RGBA32UI, part.Faces.data(), part.Faces.size());
+    error =
+      this->Faces.upload(window, TexelFormat::RGBA32UI, part.Faces.data(), part.Faces.size(), room);
   }
-  return error.empty()
-           ? this->Links.upload(window, TexelFormat::R32UI, part.Links.data(), part.Links.size())
-           : error;
+  return error.empty() ? this->Links.upload(
+                           window, TexelFormat::R32UI, part.Links.data(), part.Links.size(), room)
+                       : error;
+}
+
+void VisiblePartTextures::replaceEyeFaces(const EyeStart& start)
+{
+  constexpr std::size_t ofFace = sizeof(start.Inside[0]);
+  constexpr std::size_t ofLink = sizeof(start.Links[0]);
+  const std::size_t count = start.Inside.size();
+  this->Faces.replace(this->NumberOfFaces * ofFace, start.Inside.data(), count * ofFace);
+  this->Links.replace(this->NumberOfFaces * ofLink, start.Links.data(), count * ofLink);
 }
 
 void VisiblePartTextures::bind(vtkShaderProgram* program)

@@ -5,7 +5,7 @@
 #ifndef TetMarchGLVisiblePartTextures_h
 #define TetMarchGLVisiblePartTextures_h
 
-#include "Entries/VisiblePart.h"
+#include "Entries/EyeStart.h"
 #include "GL/TextureBuffer.h"
 
 namespace tetmarch
@@ -15,7 +15,9 @@ class VisiblePartTextures
 {
 public:
   /** Returns an empty string, or what is wrong. */
-  std::string upload(vtkOpenGLRenderWindow* window, const VisiblePart& part);
+  std::string upload(vtkOpenGLRenderWindow* window, const VisiblePart& part, bool hasEyeFaces);
+  /** Put the faces inside of a start behind those of the part, which has eye faces. */
+  void replaceEyeFaces(const EyeStart& start);
   void bind(vtkShaderProgram* program);
   void unbind();
   void release(vtkWindow* window);
@@ -28,6 +30,7 @@ private:
   TextureBuffer Tets;
   TextureBuffer Faces;
   TextureBuffer Links;
+  std::size_t NumberOfFaces = 0; // of the part
 };
 
 } // namespace tetmarch

@@ -39,8 +39,8 @@ std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame)
   }
   // w is the distance d, and z / w = (far + near - 2 far near / d) / (far - near).
   const double reach = reachOf(w, frame);
-  const double far = w[3] + margin * reach;
-  const double near = std::max(w[3] - margin * reach, 0.5 * (w[3] - reach));
+  const double far = std::max(w[3] + margin * reach, 1e-3 * reach);
+  const double near = std::max({ w[3] - margin * reach, 0.5 * (w[3] - reach), 1e-3 * far });
   for (int k = 0; k < 4; ++k)
   {
     z[k] = w[k] * (far + near) / (far - near);

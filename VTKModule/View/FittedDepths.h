@@ -18,7 +18,8 @@ double reachOf(const double* row, const VolumeFrame& frame);
 
 /**
  * view.NormalizedToClip with other depths: -1..1 spans the volume, not the camera's clipping range.
- * The order of depths is kept. The volume must lie behind the near plane.
+ * The order of depths is kept. If the eye is in the volume, they begin behind it, at a thousandth
+ * of the farthest depth.
  */
 std::array<double, 16> fittedDepths(const View& view, const VolumeFrame& frame);
 

@@ -35,15 +35,13 @@ std::array<double, 16> inverted(const std::array<double, 16>& matrix)
 
 std::array<double, 16> rayPoints(const View& view, const VolumeFrame& frame)
 {
-  if (view.CutsNearPlane)
-  {
-    return pointsAtDepth(-1.0, view.ClipToNormalized);
-  }
   const auto& eye = view.Eye;
   const double distance = std::hypot(eye[0], eye[1], eye[2]);
   if (eye[3] * 2.0 > distance)
   {
-    return pointsAtDepth(-1.0, inverted(fittedDepths(view, frame)));
+    // From an eye in the volume to its far end, so that the direction has digits.
+    const double depth = view.CutsNearPlane ? 1.0 : -1.0;
+    return pointsAtDepth(depth, inverted(fittedDepths(view, frame)));
   }
   // The plane through the centre that faces the eye replaces the planes of equal depth, which may
   // be nearly parallel to the rays if the matrix is not a similarity.

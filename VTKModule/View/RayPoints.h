@@ -14,9 +14,9 @@ struct View;
 
 /**
  * A row-major matrix that transforms clip coordinates (x, y, 0, 1) to a point on the ray of (x, y)
- * in the normalised frame. If the near plane cuts the volume, it is the point on the near plane.
- * Otherwise it lies before the eye and, if the ray meets the volume, within two radii of its
- * centre: so rays are precise for any distance of the eye and any matrix of the volume.
+ * in the normalised frame. It lies before the eye and, if the ray meets the volume, within two
+ * radii of its centre or, if the near plane cuts the volume, at its far end: so rays are precise
+ * for any distance of the eye and any matrix of the volume.
  */
 std::array<double, 16> rayPoints(const View& view, const VolumeFrame& frame);
 

@@ -99,6 +99,21 @@ std::array<double, 3> View::unproject(double x, double y, double z) const
   return { { q[0] / q[3], q[1] / q[3], q[2] / q[3] } };
 }
 
+std::array<double, 4> View::nearPlane() const
+{
+  std::array<double, 4> plane{};
+  if (this->CutsNearPlane)
+  {
+    const auto& m = this->NormalizedToClip;
+    const double length = std::hypot(m[8] + m[12], m[9] + m[13], m[10] + m[14]);
+    for (int k = 0; k < 4; ++k)
+    {
+      plane[k] = (m[8 + k] + m[12 + k]) / length;
+    }
+  }
+  return plane;
+}
+
 double View::leastPixelsPerUnit(int height) const
 {
   const auto& m = this->NormalizedToClip;

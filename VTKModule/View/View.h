@@ -28,6 +28,9 @@ struct View
 
   /** The point of clip coordinates (x, y, z), each in -1..1, in the normalised frame. */
   std::array<double, 3> unproject(double x, double y, double z) const;
+  /** The near plane, if it cuts the volume: n and c, where n . p + c is the distance of p behind
+   * it. Else 0: rays begin before the volume. */
+  std::array<double, 4> nearPlane() const;
   /** Of a picture of that height: the pixels that a length of 1 in the normalised frame covers, at
    * the farthest point of the volume. */
   double leastPixelsPerUnit(int height) const;

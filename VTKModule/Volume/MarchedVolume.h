@@ -58,6 +58,9 @@ public:
     const Blending& blending, bool undrawnSeen) = 0;
   /** What rays need to find where they enter if there are no lists of entries. */
   virtual std::string prepareEntrySearch() = 0;
+  /** Rays begin at the eye, a point of the normalised frame, and not before the volume; null:
+   * before it. It comes last of the stages. */
+  virtual std::string updateEye(const Vector3* /*eye*/) { return {}; }
 
   /** Nothing can be marched through: the data has no such cells, or progress asked to stop. */
   virtual bool isEmpty() const = 0;
@@ -69,6 +72,8 @@ public:
   virtual bool isStructured() const = 0;
   /** It may be sampled at even distances. */
   virtual bool takesSamples() const { return false; }
+  /** There are lists of entries for rays from the eye of updateEye(), by the visible part. */
+  virtual bool startsAtEye() const { return false; }
   /** A ray may leave the volume and enter it again. */
   virtual bool mayReenter() const = 0;
   /** The ranges of the scalars that are drawn with the first one. */

@@ -158,6 +158,28 @@ std::string TetVolume::prepareEntrySearch()
   return shortage.empty() ? error : shortage;
 }
 
+std::string TetVolume::updateEye(const Vector3* eye)
+{
+  if (!eye)
+  {
+    this->EyeStarts.leave();
+    return {};
+  }
+  const std::string shortage = withinMemory("where rays from the camera in the mesh begin",
+    [&]
+    {
+      const auto signOf = [this](Id tet) { return this->Visible.outsideSign(this->mesh(), tet); };
+      const bool visible = this->entersVisiblePart();
+      this->EyeStarts.update(this->mesh(), visible ? &this->visiblePart() : nullptr,
+        visible ? this->visibleVersion() : this->linksVersion(), *eye, signOf);
+    });
+  if (!shortage.empty())
+  {
+    this->EyeStarts.leave();
+  }
+  return shortage;
+}
+
 double TetVolume::transparentShare(const IntegralTable& table) const
 {
   return tetmarch::transparentShare(
@@ -167,7 +189,7 @@ double TetVolume::transparentShare(const IntegralTable& table) const
 bool TetVolume::entersVisiblePart() const
 {
   return this->EntersVisible.isOn() &&
-         this->visiblePart().Faces.size() <= this->Limits.TexelsPerBuffer;
+         this->visiblePart().Faces.size() + MostEyeFaces <= this->Limits.TexelsPerBuffer;
 }
 
 void TetVolume::setBits(VariantKey& key) const
@@ -179,7 +201,7 @@ void TetVolume::setBits(VariantKey& key) const
   key.Hierarchy = this->mayReenter();
   key.Reentered = this->mayReenter();
   key.HiddenCells = !this->hiddenCells().empty();
-  key.VisiblePart = this->entersVisiblePart();
+  key.VisiblePart = this->entersPart();
 }
 
 void TetVolume::addTo(ReferenceScene& scene) const
@@ -236,6 +258,14 @@ Fingerprint TetVolume::visibleVersion() const
 {
   Fingerprint version = this->linksVersion();
   version.push_back(static_cast<std::uintptr_t>(this->VisibleRecord.Runs));
+  return version;
+}
+
+Fingerprint TetVolume::enteredVersion() const
+{
+  const bool isAll = !this->entersVisiblePart() && this->startsAtEye();
+  Fingerprint version = isAll ? this->linksVersion() : this->visibleVersion();
+  version.push_back(this->startsAtEye() ? 1 : 0);
   return version;
 }
 

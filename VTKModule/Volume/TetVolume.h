@@ -6,6 +6,7 @@
 #define TetMarchVolumeTetVolume_h
 
 #include "Caching/Switch.h"
+#include "Entries/EyeStart.h"
 #include "Entries/VisiblePartFinder.h"
 #include "Mesh/HiddenCellStage.h"
 #include "Mesh/MeshScalars.h"
@@ -34,6 +35,7 @@ public:
     const Blending& blending, bool undrawnSeen) override;
   /** The hierarchy of the boundary. */
   std::string prepareEntrySearch() override;
+  std::string updateEye(const Vector3* eye) override;
   /** The ranges of the scalars that would be drawn, the first and extra ones; without any, or
    * without memory, none. */
   std::vector<FiniteRange> rangesOf(vtkDataSet* grid, const DrawnScalars& drawn);
@@ -45,6 +47,7 @@ public:
   }
   bool showsNothing() const override { return tetmarch::showsNothing(this->visiblePart()); }
   bool isStructured() const override { return false; }
+  bool startsAtEye() const override { return this->EyeStarts.isFound(); }
   bool mayReenter() const override { return this->mesh().MayReenter; }
   const std::vector<ScalarRange>& extraRanges() const override
   {
@@ -88,12 +91,21 @@ public:
   /** Rays enter the visible part alone. Else, also if its faces are too many for a buffer, they
    * march through the mesh. */
   bool entersVisiblePart() const;
+  /** Rays enter a part by its own faces: the visible one or, from an eye in the mesh, all of it. */
+  bool entersPart() const { return this->entersVisiblePart() || this->startsAtEye(); }
+  const VisiblePart& enteredPart() const
+  {
+    return this->entersVisiblePart() ? this->visiblePart() : this->EyeStarts.whole();
+  }
+  const EyeStart& eyeStart() const { return this->EyeStarts.start(); }
   const ResourceLimits& limits() const { return this->Limits; }
 
   // Versions of what is uploaded: equal as long as it is the same.
   Fingerprint linksVersion() const;
   const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
   Fingerprint visibleVersion() const;
+  Fingerprint enteredVersion() const;
+  const Fingerprint& eyeVersion() const { return this->EyeStarts.version(); }
 
   const StageRecord& meshRecord() const { return this->Meshed.record(); }
   const StageRecord& scalarsRecord() const { return this->ScalarsRecord; }
@@ -117,6 +129,7 @@ private:
   VisiblePartFinder Visible;
   StageRecord VisibleRecord;
   Switch EntersVisible; // if its faces are not too many
+  EyeStartFinder EyeStarts;
 };
 
 } // namespace tetmarch

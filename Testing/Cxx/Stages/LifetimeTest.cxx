@@ -61,17 +61,31 @@ TEST_F(Lifetime, ReleasedAndDrawnAgain)
   this->expectSame(scene.render());
 }
 
-// Depths of opaque geometry, and entries that the rasteriser found.
+// Depths of opaque geometry, lists of entries, and the part that rays enter from inside.
 TEST_F(Lifetime, WhatAFrameDoesNotNeedIsFreed)
 {
   Scene scene(lattice());
-  scene.camera()->SetPosition(0.5, 0.5, 0.6); // inside, which makes the hierarchy that stays
-  scene.render();
+  const auto drawFromInside = [&](bool parallel)
+  {
+    scene.camera()->SetPosition(0.5, 0.5, 0.6);
+    scene.camera()->SetParallelProjection(parallel);
+    scene.render();
+  };
+  const auto drawFromOutside = [&]
+  {
+    scene.camera()->ParallelProjectionOff();
+    lookAtUnitCube(scene.camera());
+    scene.render();
+  };
+  drawFromInside(true); // which makes the hierarchy that stays
   const Held inside(scene);
-  lookAtUnitCube(scene.camera());
-  scene.render();
+  drawFromOutside();
   const Held held(scene);
   EXPECT_LT(inside.Bytes, held.Bytes);
+  drawFromInside(false);
+  EXPECT_GT(scene.Mapper->GetGPUMemoryBytes(), held.Bytes);
+  drawFromOutside();
+  EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), held.Bytes);
   const auto ball = makeBall({ 0.5, 0.45, 0.6 }, 0.35, { 1.0, 0.8, 0.2 });
   scene.Renderer->AddActor(ball);
   scene.render();
@@ -79,8 +93,7 @@ TEST_F(Lifetime, WhatAFrameDoesNotNeedIsFreed)
   scene.Renderer->RemoveActor(ball);
   scene.render();
   EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), held.Bytes);
-  scene.camera()->SetPosition(0.5, 0.5, 0.6);
-  scene.render();
+  drawFromInside(true);
   EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), inside.Bytes);
 }
 
