@@ -15,6 +15,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
@@ -132,7 +133,8 @@ vtkBoundingBox boundsOfDataSet(vtkDataSet* data)
 
 bool isDrawnAsMesh(vtkDataObject* data)
 {
-  return vtkPointSet::SafeDownCast(data) || vtkDataObjectTree::SafeDownCast(data) ||
+  const bool isSurface = vtkPolyData::SafeDownCast(data) != nullptr;
+  return (vtkPointSet::SafeDownCast(data) && !isSurface) || vtkDataObjectTree::SafeDownCast(data) ||
          vtkUniformGridAMR::SafeDownCast(data) || vtkHyperTreeGrid::SafeDownCast(data) ||
          isCellGrid(data);
 }

@@ -14,6 +14,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -27,6 +28,10 @@ namespace
 
 bool hasSolids(vtkDataSet* data)
 {
+  if (vtkPolyData::SafeDownCast(data))
+  {
+    return false;
+  }
   if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(data))
   {
     return curvilinear->GetDataDimension() == 3;

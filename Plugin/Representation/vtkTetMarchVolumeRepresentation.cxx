@@ -43,11 +43,8 @@ vtkTetMarchVolumeRepresentation::~vtkTetMarchVolumeRepresentation() = default;
 int vtkTetMarchVolumeRepresentation::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  for (const char* type :
-    { "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkHyperTreeGrid", "vtkCellGrid" })
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
+  // InputProblem tells of what isn't drawn.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 

@@ -4,12 +4,13 @@
  * @class   vtkTetMarchVolumeRepresentation
  * @brief   ParaView's volume representation of meshes, drawn by vtkTetMarchVolumeMapper
  *
- * For unstructured, curvilinear and explicit structured grids, blocks of them, and adaptive meshes.
- * The mapper receives the input unchanged: cells of all types, with their ids, ghosts and blocks,
- * which it joins. The superclass would decompose cells into tetrahedra, which do not match those of
- * neighbours, merge blocks and remove ghosts, so that ids would differ from those of the input;
- * only its properties set by XML are used. ParaView's lower level of detail during interaction is
- * the same volume, whose mapper casts fewer rays. Cells of the volume can be selected in the view.
+ * For unstructured, curvilinear and explicit structured grids, blocks of them, beside which there
+ * may be surfaces, and adaptive meshes. The mapper receives the input unchanged: cells of all
+ * types, with their ids, ghosts and blocks, which it joins. The superclass would decompose cells
+ * into tetrahedra, which do not match those of neighbours, merge blocks and remove ghosts, so that
+ * ids would differ from those of the input; only its properties set by XML are used. ParaView's
+ * lower level of detail during interaction is the same volume, whose mapper casts fewer rays. Cells
+ * of the volume can be selected in the view.
  *
  * A view mode adds its legend to the view, in the process that draws.
  */

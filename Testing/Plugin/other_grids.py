@@ -4,9 +4,9 @@
 import math
 
 from lattices import at_points, values_of
-from paraview.vtk import (VTK_QUADRATIC_TETRA, vtkAMRBox, vtkDataSetAttributes, vtkOverlappingAMR,
-                          vtkHyperTreeGridNonOrientedGeometryCursor, vtkPoints, vtkStructuredData, vtkStructuredGrid,
-                          vtkUniformGrid, vtkUnstructuredGrid)
+from paraview.vtk import (VTK_QUADRATIC_TETRA, vtkAMRBox, vtkDataSetAttributes, vtkExplicitStructuredGrid,
+                          vtkHyperTreeGridNonOrientedGeometryCursor, vtkOverlappingAMR, vtkPoints, vtkStructuredData,
+                          vtkStructuredGrid, vtkUniformGrid, vtkUnstructuredGrid)
 from paraview.vtk.vtkFiltersCore import vtkAppendFilter
 from paraview.vtk.vtkFiltersSources import vtkRandomHyperTreeGridSource
 
@@ -68,6 +68,16 @@ def unstructured(grid):
     append.AddInputData(grid)
     append.Update()
     return append.GetOutput()
+
+
+def explicit(grid):
+    """The same hexahedra, with the points of each given."""
+    copy = vtkExplicitStructuredGrid()
+    copy.SetExtent(grid.GetExtent())
+    copy.SetPoints(grid.GetPoints())
+    copy.SetCells(unstructured(grid).GetCells())
+    copy.GetPointData().ShallowCopy(grid.GetPointData())
+    return copy
 
 
 def cell_grid(grid):

@@ -141,6 +141,17 @@ class Stage:
             simple.Delete(source)
 
 
+    def check_surface(self):
+        """ParaView has one representation for surfaces and grids that have no other."""
+        source = simple.Sphere()
+        display = show(source, self.view, "Normals", kind="GeometryRepresentation")
+        assert len(set(self.look("cells of the data is three-dimensional"))) == 1, "something is drawn"
+        display.SetRepresentationType("Surface")
+        simple.ResetCamera(self.view)
+        assert len(set(self.look())) > 10, "the surface is not drawn"
+        simple.Delete(source)
+
+
 def check_files(messages, kind, folder):
     """A series of which a step has lost its array, and another can't be read."""
     grids = [make_grid(kind, sum_of) for _ in range(4)]
@@ -173,6 +184,7 @@ def check_files(messages, kind, folder):
 def main():
     load_plugin(parse_arguments(__doc__))
     stage = Stage()
+    stage.check_surface()
     for kind in KINDS:
         stage.check_changes(kind, good, CAUSES)
         stage.check_changes(kind, good_blocks, CAUSES_OF_BLOCKS)

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Curvilinear grids, adaptive meshes, trees and curved cells in ParaView: pictures of the same cells in other grids."""
 from lattices import ARRAY, blocks, source_of
-from other_grids import N, adaptive, bulging, cell_grid, curvilinear, field, hidden, trees, unstructured
+from other_grids import (N, adaptive, bulging, cell_grid, curvilinear, explicit, field, hidden, trees, unstructured)
 from paraview import servermanager, simple
+from paraview.vtk.vtkFiltersGeometry import vtkGeometryFilter
 from views import (brightness, difference, figure_of, load_plugin, mapper_of, open_view, parse_arguments, picture_of,
                    set_all, show)
 
@@ -19,6 +20,14 @@ def show_in(view, source, kind, association):
     return display
 
 
+def skin(grid):
+    """Its surface, which has no cells to march through."""
+    surface = vtkGeometryFilter()
+    surface.SetInputDataObject(grid)
+    surface.Update()
+    return surface.GetOutput()
+
+
 def is_octree(data):
     """Leaves by themselves; their light has gradients of its own."""
     return data.IsA("vtkHyperTreeGrid") or data.IsA("vtkUniformGridAMR")
@@ -26,6 +35,8 @@ def is_octree(data):
 
 def draw(view, data, kind, association, file=None):
     source = source_of(data)
+    chosen = view.GetRepresentationType(source.SMProxy, 0)
+    assert chosen == kind + "Representation", f"ParaView chooses {chosen}"
     display = show_in(view, source, kind, association)
     pictures = [picture_of(view)]
     if file:
@@ -94,6 +105,9 @@ def main():
         "curvilinear": (whole, "StructuredGrid", "POINTS", unstructured(whole)),
         "blanked": (hidden(curvilinear((N, N, N), field)), "StructuredGrid", "POINTS", hidden(unstructured(whole))),
         "blocks of it": (blocks(left=halves[0], right=halves[1]), "StructuredGrid", "POINTS", unstructured(whole)),
+        "explicit": (explicit(whole), "Geometry", "POINTS", unstructured(whole)),
+        "cells and a surface": (blocks(cells=halves[0], others=explicit(halves[1]), skin=skin(whole)), "Geometry",
+                                "POINTS", unstructured(whole)),
         "adaptive": (mesh, "AMR", "CELLS", leaves),
         "trees": (grid_of_trees, "HyperTreeGrid", "CELLS", leaves_of_trees),
         "blocks of trees": (blocks(one=grid_of_trees), "HyperTreeGrid", "CELLS", leaves_of_trees),
