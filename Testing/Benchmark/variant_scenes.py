@@ -363,13 +363,19 @@ class VariantScene:
             self.mapper.SetUseJittering(self.one_of(False, True))
         self.mapper.SetCollectDiagnostics(self.has("DIAGNOSTICS"))
 
+    def is_seen_from_inside(self):
+        """All of the mesh is the part that rays enter."""
+        unknown = self.has("EXTREME") or self.has("SUM") or self.has("INDEPENDENT")
+        return self.has("VISIBLE_PART") and (unknown or (self.has("ISOSURFACES") and not self.has("POINT_SCALARS")))
+
     def set_camera(self):
         camera = self.renderer.GetActiveCamera()
         camera.SetViewUp(0, 0, 1)
         # Rays across thousands of layers, to the eye or to a light, may be longer than llvmpipe's loops
         # (Documentation/Limits.md).
         along_layers = self.has("SLABS")
-        if self.has("ENTRY_LISTS") or along_layers or (self.has("STRUCTURED") and self.one_of(True, False, True)):
+        if not self.is_seen_from_inside() and (
+                self.has("ENTRY_LISTS") or along_layers or (self.has("STRUCTURED") and self.one_of(True, False, True))):
             visible_side = (2.4, -1.3, 1.2)
             side = (1.5, -2.2, 0.5 if along_layers else 1.6)
             camera.SetPosition(*(visible_side if self.has("VISIBLE_PART") else side))
@@ -383,7 +389,7 @@ class VariantScene:
             camera.SetViewAngle(70.0)
         self.renderer.ResetCameraClippingRange()
         if not self.has("ENTRY_LISTS") and not self.has("STRUCTURED"):
-            # In perspective, rays from inside a mesh have lists.
+            # In perspective, rays from inside have lists.
             camera.ParallelProjectionOn()
             camera.SetParallelScale(0.5)
             camera.SetClippingRange(0.01, 5.0)

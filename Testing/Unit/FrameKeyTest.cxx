@@ -150,7 +150,7 @@ const KeyCase KeyCases[] = {
       s.Renderer->GetActiveCamera()->SetPosition(0.5, 0.45, 0.6);
       s.blend(BlendMode::Additive);
     },
-    "-ENTRY_LISTS +BVH -ADAPTIVE +SUM", "-ADAPTIVE +SUM" },
+    "-ADAPTIVE +SUM +VISIBLE_PART +REENTERED", "-ADAPTIVE +SUM" },
   { "a clipping plane",
     [](StagedScene& s)
     {

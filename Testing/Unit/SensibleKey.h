@@ -29,7 +29,7 @@ inline bool isSensible(const VariantKey& k)
          !(!k.Structured && (k.Rectilinear || k.Octree || k.Leaps)) &&
          // Who enters a part by a list enters it again.
          !(k.Reentered && (!k.EntryLists || k.Blend == BlendGroup::Isosurfaces)) &&
-         !(k.VisiblePart && composite && !k.Reentered) &&
+         !(k.VisiblePart && k.Blend != BlendGroup::Isosurfaces && !k.Reentered) &&
          // All that a ray meets counts; and so do surfaces between cells. Most is transparent where
          // there are blocks of it.
          !(k.Leaps && (ofScalars || (!composite && !k.PointScalars))) &&
@@ -107,10 +107,8 @@ inline bool isSensible(const VariantKey& k)
          // several scalars.
          !(k.Slabs && !k.Structured) && !(k.ManySlabs && !k.Slabs) &&
          !(k.Slabs && several && !k.ManySlabs) &&
-         // One table, or the values of surfaces, determine the visible part of a mesh. Rays enter
-         // it by lists, and little of it is transparent.
-         !(k.VisiblePart && (!k.EntryLists || ofScalars || (!composite && !k.PointScalars) ||
-                              independent || k.TransparentRanges)) &&
+         // Rays enter a part of a mesh by lists, and little of it is transparent.
+         !(k.VisiblePart && (!k.EntryLists || k.TransparentRanges)) &&
          // Gradients are shown instead of the light.
          !(k.ShowGradients && (k.Shading || k.ShowIllumination));
 }

@@ -122,24 +122,23 @@ TEST(VariantKey, LegalKeysAreCounted)
   const std::size_t ofCurvilinear = 2 * ofVolumes; // its sides meet or not; corners have no scalars
   const std::size_t ofLeaves = 2 * 2 * 2 * 2 * 2;
   EXPECT_EQ(light, 2 * (2 * ofMeshes + ofCurvilinear + 3 * ofVolumes + ofLeaves));
-  // Entries are listed or searched for. Of scalars at points, corners or cells, clipped, cropped or
-  // whole, with hidden cells or not; of volumes with opacity by gradients of either kind or
-  // without, or of independent components, with what is not finite or not; or in three other blend
-  // modes. Of a mesh in one buffer or two; of a curvilinear grid with joined sides or not, without
-  // corners; or of a lattice,
-  // whose planes are even or not, volumes are leapt to or not, and so are surfaces in trilinear
-  // cells; in one texture, two, many. Of leaves of scalars of cells.
+  // Entries are listed, of all of the mesh or of a part, or searched for. Of scalars at points,
+  // corners or cells, clipped, cropped or whole, with hidden cells or not; of volumes with opacity
+  // by gradients of either kind or without, or of independent components, with what is not finite
+  // or not; or in three other blend modes. Of a mesh in one buffer or two; of a curvilinear grid
+  // with joined sides or not, without corners; or of a lattice, whose planes are even or not,
+  // volumes are leapt to or not, and so are surfaces in trilinear cells; in one texture, two, many.
+  // Of leaves of scalars of cells.
   const std::size_t picked = legalPickKeys().size();
   const std::size_t searched = (3 + 2 + 2 + 2) * 2 + 3 * 3;
-  const std::size_t visible = (3 + 2) * 2 + 1; // of a part of the mesh, or of all of it
-  const std::size_t ofTetrahedra = 2 * 3 * 2 * (searched + searched + visible);
-  const std::size_t visibleCorners = 2 * 3 * 2 * (2 * 2 + 1); // of a mesh in one buffer
-  const std::size_t computed = (3 + 2 + 2) * 2 + 3 * 2;
-  const std::size_t ofCurvilinearPicks = 2 * 2 * 3 * 2 * (computed + computed + visible);
+  const std::size_t withoutCorners = (3 + 2 + 2) * 2 + 3 * 2;
+  const std::size_t ofTetrahedra = 2 * 3 * 2 * (searched + searched + withoutCorners);
+  const std::size_t cornersOfParts = 2 * 3 * 2 * (2 * 2 + 3); // of a mesh in one buffer
+  const std::size_t ofCurvilinearPicks = 2 * 2 * 3 * 2 * 3 * withoutCorners;
   const std::size_t ofLeavesPicked = 2 * 3 * 2 * ((2 + 1) * 2 + 3);
   const std::size_t ofLattices = 2 * 3 * 2 * ((3 + 2 + 2) * 2 * 2 + (2 + 1) + 2 * 2);
   const std::size_t ofTwoComponents = 2 * 3 * 2 * (2 * 2 * 2); // or more: never in two textures
-  EXPECT_EQ(picked, 2 * ofTetrahedra + visibleCorners + ofCurvilinearPicks + 3 * ofLattices -
+  EXPECT_EQ(picked, 2 * ofTetrahedra + cornersOfParts + ofCurvilinearPicks + 3 * ofLattices -
                       ofTwoComponents + ofLeavesPicked);
   std::cout << "[ MEASURED ] " << legalKeys().size() << " variants of the picture, " << light
             << " of the light at vertices, " << picked << " of what is picked\n";

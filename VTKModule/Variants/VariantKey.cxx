@@ -92,11 +92,8 @@ VariantKey VariantKey::filtered() const
                        (key.LightTolerance && (key.CastShadows || key.Occlusion));
   key.CurvedError = key.CurvedError && key.Diagnostics && key.isComposite() && !key.Structured &&
                     !key.Curvilinear && !key.hasComponents();
-  // With several scalars, or if the whole ray counts, every cell may be visible; and that in the
-  // place of a transparent one.
-  key.VisiblePart = key.VisiblePart && key.EntryLists && !key.isKnownAtEnd() && !key.CurvedError &&
-                    (key.isComposite() || key.PointScalars) &&
-                    key.Components != ComponentGroup::Independent;
+  // A curved cell may be visible in the place of a transparent one.
+  key.VisiblePart = key.VisiblePart && key.EntryLists && !key.CurvedError;
   key.TransparentRanges = key.TransparentRanges && !key.VisiblePart && !key.CurvedError;
   // A surface may lie between two cells. The march must know both, so a run must not end there.
   key.Reentered =

@@ -82,7 +82,7 @@ struct VariantKey
   bool Slabs = false;        // values are in several textures
   bool ManySlabs = false;    // in more than two
 
-  bool VisiblePart = false; // rays enter and leave only visible tetrahedra
+  bool VisiblePart = false; // rays enter and leave a part: what is visible, or all of the mesh
   bool Reentered = false;   // rays leave the mesh and enter it again: their march is in short runs
   bool SplitCells = false;  // tetrahedra are in two texture buffers
   bool CurvedError = false; // the error bound includes the shape of curved cells that were cut

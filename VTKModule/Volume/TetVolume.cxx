@@ -111,8 +111,10 @@ std::string TetVolume::updateVisibility(
 {
   const VisibleScalars shown{ &this->Scalars, &first, &blending, &this->hiddenCells(),
     undrawnSeen };
+  // Extremes and sums need all cells on a ray. Surfaces between constant cells are in no cell.
   const bool isKnown =
-    !parts.isIndependent() && (blending.isComposite() || blending.isIsoSurface());
+    !parts.isIndependent() &&
+    (blending.isComposite() || (blending.isIsoSurface() && this->Scalars.OfCells.empty()));
   std::string shortage = withinMemory("what is visible",
     [&]
     {
@@ -190,6 +192,13 @@ bool TetVolume::entersVisiblePart() const
 {
   return this->EntersVisible.isOn() &&
          this->visiblePart().Faces.size() + MostEyeFaces <= this->Limits.TexelsPerBuffer;
+}
+
+// Else, also if its faces are too many for a buffer, rays search their entries.
+bool TetVolume::startsAtEye() const
+{
+  return this->EyeStarts.isFound() &&
+         this->enteredPart().Faces.size() + MostEyeFaces <= this->Limits.TexelsPerBuffer;
 }
 
 void TetVolume::setBits(VariantKey& key) const

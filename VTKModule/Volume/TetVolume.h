@@ -47,7 +47,7 @@ public:
   }
   bool showsNothing() const override { return tetmarch::showsNothing(this->visiblePart()); }
   bool isStructured() const override { return false; }
-  bool startsAtEye() const override { return this->EyeStarts.isFound(); }
+  bool startsAtEye() const override;
   bool mayReenter() const override { return this->mesh().MayReenter; }
   const std::vector<ScalarRange>& extraRanges() const override
   {
