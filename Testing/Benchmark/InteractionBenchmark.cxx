@@ -92,6 +92,17 @@ public:
     this->Opacity->AddPoint(1.0, 0.6);
   }
   void turn() { this->Camera->Azimuth(7.0); }
+  void goInside()
+  {
+    this->Camera->SetPosition(0.43, 0.52, 0.47);
+    this->Camera->SetFocalPoint(0.9, 0.6, 0.8);
+  }
+  // On a small circle, so that other tetrahedra surround the eye.
+  void moveInside()
+  {
+    this->Camera->Yaw(7.0);
+    this->Camera->SetPosition(0.43 + 0.1 * this->Camera->GetDirectionOfProjection()[0], 0.52, 0.47);
+  }
 
   Parts frame()
   {
@@ -129,14 +140,14 @@ private:
   // As TetTextures::listEntries().
   void listEntries()
   {
-    const bool part = this->Tets.entersVisiblePart();
-    Fingerprint version = part ? this->Tets.visibleVersion() : this->Tets.linksVersion();
+    const bool part = this->Tets.entersPart();
+    Fingerprint version = part ? this->Tets.enteredVersion() : this->Tets.linksVersion();
     addAll(version, this->Stages.camera().NormalizedToClip);
     if (version != this->Listed)
     {
       this->Lists.make(NoLimit, this->Tets.mesh(),
-        part ? this->Tets.visiblePart().Faces : this->Tets.mesh().BoundaryFaces,
-        this->Stages.camera(), Width, Height);
+        part ? this->Tets.enteredPart().Faces : this->Tets.mesh().BoundaryFaces,
+        this->Stages.camera(), Width, Height, this->Tets.eyeStart());
       this->Listed = version;
     }
   }
@@ -200,6 +211,12 @@ void printScene(const std::string& name, const testing::Grid& grid, int frames)
   scene.showAbove(-0.5, 0.3);
   scene.frame();
   printRow("camera's move, all is visible", scene, frames, [&](int) { scene.turn(); });
+  scene.goInside();
+  scene.frame();
+  printRow("the same inside", scene, frames, [&](int) { scene.moveInside(); });
+  scene.showAbove(0.5, 0.3);
+  scene.frame();
+  printRow("the same inside, of what is visible", scene, frames, [&](int) { scene.moveInside(); });
 }
 } // namespace
 

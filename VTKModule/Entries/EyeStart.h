@@ -46,8 +46,6 @@ public:
   const EyeStart& start() const { return this->Start; }
   /** All of the mesh, as if it were a part; empty if a visible part was given. */
   const VisiblePart& whole() const { return this->Whole; }
-  /** Of the last update. */
-  const Fingerprint& version() const { return this->Version; }
 
 private:
   Fingerprint BoxesVersion;

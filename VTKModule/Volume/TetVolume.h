@@ -105,7 +105,6 @@ public:
   const Fingerprint& hiddenVersion() const { return this->Hidden.version(); }
   Fingerprint visibleVersion() const;
   Fingerprint enteredVersion() const;
-  const Fingerprint& eyeVersion() const { return this->EyeStarts.version(); }
 
   const StageRecord& meshRecord() const { return this->Meshed.record(); }
   const StageRecord& scalarsRecord() const { return this->ScalarsRecord; }
