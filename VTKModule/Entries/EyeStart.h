@@ -46,6 +46,8 @@ public:
   const EyeStart& start() const { return this->Start; }
   /** All of the mesh, as if it were a part; empty if a visible part was given. */
   const VisiblePart& whole() const { return this->Whole; }
+  /** The version of what it was made of. */
+  const Fingerprint& wholeVersion() const { return this->WholeVersion; }
 
 private:
   Fingerprint BoxesVersion;

@@ -273,7 +273,8 @@ Fingerprint TetVolume::visibleVersion() const
 Fingerprint TetVolume::enteredVersion() const
 {
   const bool isAll = !this->entersVisiblePart() && this->startsAtEye();
-  Fingerprint version = isAll ? this->linksVersion() : this->visibleVersion();
+  // The boundary may have been reordered since.
+  Fingerprint version = isAll ? this->EyeStarts.wholeVersion() : this->visibleVersion();
   version.push_back(this->startsAtEye() ? 1 : 0);
   return version;
 }

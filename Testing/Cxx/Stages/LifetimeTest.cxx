@@ -4,6 +4,7 @@
 // to another.
 #include "ErrorWatch.h"
 #include "Held.h"
+#include "NonConvexGrids.h"
 #include "Scene.h"
 
 #include "vtkActor.h"
@@ -95,6 +96,19 @@ TEST_F(Lifetime, WhatAFrameDoesNotNeedIsFreed)
   EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), held.Bytes);
   drawFromInside(true);
   EXPECT_EQ(scene.Mapper->GetGPUMemoryBytes(), inside.Bytes);
+}
+
+// A search, here of a view of faces, reorders the boundary, through which rays enter again.
+TEST_F(Lifetime, FromInsideBeforeAndAfterASearch)
+{
+  Scene scene(latticeWithHole(6, 0.15, 1, sineField()));
+  scene.camera()->SetPosition(0.08, 0.1, 0.07);
+  scene.camera()->SetFocalPoint(0.9, 0.8, 0.9);
+  const Image before = scene.render();
+  scene.Mapper->SetViewModeToBoundaryFaces();
+  scene.Window->Render();
+  scene.Mapper->SetViewModeToPicture();
+  EXPECT_EQ(compare(scene.render(), before).Max, 0.0);
 }
 
 TEST_F(Lifetime, WindowFinalizedAndDrawnAgain)
