@@ -244,8 +244,9 @@ vtkDataSet* vtkTetMarchVolumeMapper::FindGrid(
     blocks.clear();
     return leaves.values();
   }
-  auto* curvilinear = vtkStructuredGrid::SafeDownCast(input);
-  if (curvilinear && !this->Internal->isShared())
+  vtkStructuredGrid* curvilinear =
+    this->Internal->isShared() ? nullptr : this->Internal->Explicit.curvilinearOf(input);
+  if (curvilinear)
   {
     blocks.clear();
     grid = tetmarch::hasSolidCells(curvilinear) ? curvilinear : nullptr;

@@ -8,6 +8,7 @@
 #include "Blocks/OwnCells.h"
 #include "GL/Pipeline.h"
 #include "GL/TetTextures.h"
+#include "Input/ExplicitLattice.h"
 #include "Leaves/LeafGrid.h"
 #include "Mapper/MapperFrame.h"
 #include "Mapper/MapperState.h"
@@ -64,6 +65,7 @@ public:
   tetmarch::Pipeline OfTets{ Tets, Textures };
   tetmarch::LeafGrid Leaves; // of an adaptive mesh
   tetmarch::StructuredBlock OfLeaves;
+  tetmarch::ExplicitLattice Explicit;
   tetmarch::JoinedBlocks Blocks; // of composite input
   tetmarch::OwnCells Own;        // without ghosts
   tetmarch::GroupState Distributed;
