@@ -142,7 +142,7 @@ TEST(ExplicitLattice, IsNoneWhereNeighboursHaveOtherPoints)
   const auto unsound = explicitOf(lattice, Numbers::OfLattice, true);
   ids->SetId(0, unsound->GetNumberOfPoints());
   unsound->GetCells()->ReplaceCellAtId(7, ids);
-  EXPECT_FALSE(made.curvilinearOf(unsound)) << "whoever draws cells says what is wrong";
+  EXPECT_FALSE(made.curvilinearOf(unsound)) << "drawing it as cells gives the error";
   EXPECT_FALSE(made.curvilinearOf(vtkNew<vtkExplicitStructuredGrid>())) << "without cells";
   EXPECT_FALSE(made.curvilinearOf(vtkNew<vtkImageData>()));
   EXPECT_FALSE(made.curvilinearOf(nullptr));

@@ -13,6 +13,7 @@
 
 #include "NamedCamera.h"
 #include "PixelLists.h"
+#include "SeenWaves.h"
 #include "Shot.h"
 #include "UnitMeshes.h"
 
@@ -29,15 +30,6 @@ using namespace tetmarch::testing;
 
 constexpr PictureSize Picture{ 31, 23 };
 constexpr std::uint64_t NoLimit = std::uint64_t(1) << 32;
-
-void setWaves(TetMesh& mesh)
-{
-  for (Vertex& v : mesh.Vertices)
-  {
-    v.Scalar = 0.5f + 0.5f * std::sin(5.0f * v.X + 0.3f) * std::sin(4.0f * v.Y + 0.9f) *
-                        std::cos(3.0f * v.Z);
-  }
-}
 
 // Places of an eye: anywhere in the box of a mesh, or exactly in its vertices, edges and faces.
 class RandomEyes
@@ -160,10 +152,7 @@ void expectSameFromInside(TetMesh mesh, Cells& cells)
 {
   setWaves(mesh);
   const auto all = tableOf([](double f) { return std::array<double, 4>{ { f, 1 - f, 0.5, f } }; });
-  const auto high = tableOf(
-    [](double f) {
-      return std::array<double, 4>{ { f, 1 - f, 0.5, std::max(0.0, 40 * (f - 0.8)) } };
-    });
+  const IntegralTable high = highTable();
   MeshScalars scalars;
   scalars.Range = { 0, 1, true };
   const Blending blend;

@@ -11,6 +11,7 @@
 
 #include "CurvilinearGrids.h"
 #include "RandomRays.h"
+#include "SeenWaves.h"
 #include "UnitMeshes.h"
 
 #include "vtkStructuredGrid.h"
@@ -28,25 +29,6 @@ using namespace tetmarch::testing;
 bool bitOf(const std::vector<std::uint32_t>& bits, Id tet)
 {
   return (bits[tet / 32] >> (tet % 32) & 1u) != 0;
-}
-
-// Colours everywhere, extinction above 0.8.
-IntegralTable highTable()
-{
-  return tableOf(
-    [](double f) {
-      return std::array<double, 4>{ { f, 1.0 - f, 0.5, std::max(0.0, 40.0 * (f - 0.8)) } };
-    });
-}
-
-// Two waves along each axis.
-void setWaves(TetMesh& mesh)
-{
-  for (Vertex& v : mesh.Vertices)
-  {
-    v.Scalar = 0.5f + 0.5f * std::sin(5.0f * v.X + 0.3f) * std::sin(4.0f * v.Y + 0.9f) *
-                        std::cos(3.0f * v.Z);
-  }
 }
 
 struct Part

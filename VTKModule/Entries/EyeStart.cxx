@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Entries/EyeStart.h"
 
+#include "Entries/SeenTets.h"
 #include "Mesh/BoundaryHierarchy.h"
 #include "Mesh/Orientation.h"
 
@@ -11,11 +12,6 @@ namespace tetmarch
 {
 namespace
 {
-
-bool isInPart(const VisiblePart& part, Id tet)
-{
-  return (part.Tets[tet / 32] >> (tet % 32) & 1u) != 0;
-}
 
 // The faces of all of a mesh are its boundary faces, those of a part ascend by their half-faces.
 std::size_t faceOf(const TetMesh& mesh, const VisiblePart& part, Id halfFace)
@@ -46,10 +42,10 @@ EyeStart startAmong(const TetMesh& mesh, const VisiblePart& part, const std::vec
   EyeStart start;
   for (const Id tet : around)
   {
-    for (Id halfFace = 4 * tet; isInPart(part, tet) && halfFace < 4 * tet + 4; ++halfFace)
+    for (Id halfFace = 4 * tet; hasTet(part.Tets, tet) && halfFace < 4 * tet + 4; ++halfFace)
     {
       const Id link = mesh.Links[halfFace];
-      if (link >= LinkOutside || !isInPart(part, link / 4))
+      if (link >= LinkOutside || !hasTet(part.Tets, link / 4))
       {
         start.OfPart.push_back(faceOf(mesh, part, halfFace));
       }

@@ -48,16 +48,6 @@ ScalarInterval intervalOf(const TetMesh& mesh, const MeshScalars& scalars, std::
   return all;
 }
 
-std::size_t clustersOf(const TetMesh& mesh)
-{
-  return (mesh.Tets.size() + TetsOfCluster - 1) / TetsOfCluster;
-}
-
-std::size_t endOf(const TetMesh& mesh, std::size_t cluster)
-{
-  return std::min((cluster + 1) * TetsOfCluster, mesh.Tets.size());
-}
-
 } // namespace
 
 TetLevels levelsOf(const TetMesh& mesh, const MeshScalars& scalars)
@@ -72,7 +62,7 @@ TetLevels levelsOf(const TetMesh& mesh, const MeshScalars& scalars)
            ++cluster)
       {
         LevelInterval all{ UndrawnLevel, 0 };
-        for (std::size_t tet = cluster * TetsOfCluster; tet < endOf(mesh, cluster); ++tet)
+        for (std::size_t tet = cluster * TetsOfCluster; tet < endOfCluster(mesh, cluster); ++tet)
         {
           const ScalarInterval interval = intervalOf(mesh, scalars, tet);
           const LevelInterval of{ levelOf(interval.Low), levelOf(interval.High) };
@@ -101,7 +91,7 @@ std::uint64_t SeenTets::ofCluster(const TetMesh& mesh, const MeshScalars& scalar
   const TetLevels& levels, std::size_t cluster) const
 {
   const std::size_t first = cluster * TetsOfCluster;
-  const std::size_t count = endOf(mesh, cluster) - first;
+  const std::size_t count = endOfCluster(mesh, cluster) - first;
   const LevelInterval all = levels.OfClusters[cluster];
   // The runs that may be in it.
   const auto begin = std::lower_bound(this->Levels.begin(), this->Levels.end(), all.Low,

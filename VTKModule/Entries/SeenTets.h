@@ -8,6 +8,7 @@
 #include "Entries/VisiblePart.h"
 #include "Scalars/SeenScalars.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,23 @@ namespace tetmarch
 
 /** Consecutive tetrahedra, which are neighbours along the space-filling curve. */
 constexpr std::size_t TetsOfCluster = 64;
+
+inline std::size_t clustersOf(const TetMesh& mesh)
+{
+  return (mesh.Tets.size() + TetsOfCluster - 1) / TetsOfCluster;
+}
+
+/** The tetrahedron behind the last one of a cluster. */
+inline std::size_t endOfCluster(const TetMesh& mesh, std::size_t cluster)
+{
+  return std::min((cluster + 1) * TetsOfCluster, mesh.Tets.size());
+}
+
+/** Whether the bit of a tetrahedron is set (VisiblePart::Tets). */
+inline bool hasTet(const std::vector<std::uint32_t>& tets, std::size_t tet)
+{
+  return (tets[tet / 32] >> (tet % 32) & 1u) != 0;
+}
 
 /** The levels of the least and of the greatest scalar of tetrahedra. */
 struct LevelInterval

@@ -5,18 +5,12 @@
 #include "Entries/SeenTets.h"
 #include "Parallel/ParallelFor.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tetmarch
 {
 namespace
 {
-
-std::size_t endOfCluster(const TetMesh& mesh, std::size_t cluster)
-{
-  return std::min((cluster + 1) * TetsOfCluster, mesh.Tets.size());
-}
 
 // Whether the point is not beyond the plane of any face. A flat tetrahedron has no inside: the
 // point must be near all of its planes.
@@ -63,7 +57,7 @@ bool TetsAtPoint::Box::contains(const Vector3& point, double margin) const
 }
 
 TetsAtPoint::TetsAtPoint(const TetMesh& mesh)
-  : Boxes((mesh.Tets.size() + TetsOfCluster - 1) / TetsOfCluster)
+  : Boxes(clustersOf(mesh))
 {
   parallelFor(0, static_cast<vtkIdType>(this->Boxes.size()),
     [&](vtkIdType begin, vtkIdType end)

@@ -24,11 +24,6 @@ std::size_t wordsFor(std::size_t bits) { return (bits + BitsOfWord - 1) / BitsOf
 
 std::size_t countOf(std::uint32_t bits) { return std::bitset<BitsOfWord>(bits).count(); }
 
-bool bitOf(const std::vector<std::uint32_t>& bits, std::size_t i)
-{
-  return (bits[i / BitsOfWord] >> (i % BitsOfWord) & 1u) != 0;
-}
-
 // Where the faces of a chunk begin; none are known if there are no ends.
 std::ptrdiff_t beginOf(const std::vector<std::size_t>& ends, std::size_t chunk)
 {
@@ -172,14 +167,14 @@ void VisiblePartFinder::findEntries(const TetMesh& mesh)
 // Each bit of Entries is toggled by at most one tetrahedron.
 void VisiblePartFinder::findEntriesOf(const TetMesh& mesh, std::size_t tet)
 {
-  const bool isVisible = bitOf(this->Part.Tets, tet);
+  const bool isVisible = hasTet(this->Part.Tets, tet);
   std::uint32_t own = 0;
   for (std::size_t i = 0; i < 4; ++i)
   {
     const Id link = mesh.Links[4 * tet + i];
-    const bool isSeenBehind = link < LinkOutside && bitOf(this->Part.Tets, link / 4);
+    const bool isSeenBehind = link < LinkOutside && hasTet(this->Part.Tets, link / 4);
     own |= isVisible && !isSeenBehind ? 1u << i : 0u;
-    if (isSeenBehind && bitOf(this->KnownTets, link / 4))
+    if (isSeenBehind && hasTet(this->KnownTets, link / 4))
     {
       this->toggle(link, 1u); // which stays visible
     }

@@ -25,13 +25,19 @@ std::string VisiblePartTextures::upload(
                        : error;
 }
 
+// At rest they are there.
 void VisiblePartTextures::replaceEyeFaces(const EyeStart& start)
 {
+  if (start.Inside == this->EyeFaces)
+  {
+    return;
+  }
   constexpr std::size_t ofFace = sizeof(start.Inside[0]);
   constexpr std::size_t ofLink = sizeof(start.Links[0]);
   const std::size_t count = start.Inside.size();
   this->Faces.replace(this->NumberOfFaces * ofFace, start.Inside.data(), count * ofFace);
   this->Links.replace(this->NumberOfFaces * ofLink, start.Links.data(), count * ofLink);
+  this->EyeFaces = start.Inside;
 }
 
 void VisiblePartTextures::bind(vtkShaderProgram* program)
@@ -53,6 +59,7 @@ void VisiblePartTextures::release(vtkWindow* window)
   this->Tets.release(window);
   this->Faces.release(window);
   this->Links.release(window);
+  this->EyeFaces.clear();
 }
 
 } // namespace tetmarch

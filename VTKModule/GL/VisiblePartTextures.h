@@ -30,7 +30,8 @@ private:
   TextureBuffer Tets;
   TextureBuffer Faces;
   TextureBuffer Links;
-  std::size_t NumberOfFaces = 0; // of the part
+  std::size_t NumberOfFaces = 0;           // of the part
+  std::vector<std::array<Id, 4>> EyeFaces; // that are there
 };
 
 } // namespace tetmarch

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the TetMarch authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Explicit structured grids of which each cell shares its points with its neighbours along i, j and
-// k are curvilinear grids, whose tetrahedra are computed.
+// An explicit structured grid without faults: its cells share their points with their neighbours.
+// It is drawn as a curvilinear grid, whose tetrahedra are computed.
 #ifndef TetMarchInputExplicitLattice_h
 #define TetMarchInputExplicitLattice_h
 
